@@ -71,6 +71,7 @@ void display_close(display *d)
     free(d->panels);
     free(d->items);
     free(d->places);
+    free(d->holds);
     free(d->words);
     memset(d, 0, sizeof *d);
 }
@@ -78,7 +79,7 @@ void display_close(display *d)
 void display_clear(display *d)
 {
     d->n_panels = d->n_items = d->n_places = d->n_words = 0;
-    d->key = 0;
+    d->key = d->hold = 0;
     display_keep(d, "");
 }
 
@@ -157,10 +158,13 @@ display_item *display_add(display *d, display_sort sort, int stroke, int layer)
 static void add_place(display *d, display_item *x, fourlink_vector at)
 {
     fourlink_vector *list = grow(d->places, &d->places_capacity, d->n_places, 1, sizeof *d->places);
+    unsigned long *holds = grow(d->holds, &d->holds_capacity, d->n_places, 1, sizeof *d->holds);
 
-    if (!list)
+    d->places = list ? list : d->places;
+    d->holds = holds ? holds : d->holds;
+    if (!list || !holds)
         return;
-    d->places = list;
+    holds[d->n_places] = d->hold;
     list[d->n_places++] = at;
     x->n++;
 }
@@ -168,6 +172,18 @@ static void add_place(display *d, display_item *x, fourlink_vector at)
 void display_add_place(display *d, fourlink_vector at)
 {
     add_place(d, memory_has_failed() || !d->n_items ? &d->none : &d->items[d->n_items - 1], at);
+}
+
+fourlink_vector display_seen(const display_item *frame, const fourlink_vector now[2],
+                             fourlink_vector at)
+{
+    fourlink_vector axis = place_at(1, 0), seen;
+    double length = frame->n > 1 ? place_distance(now[0], now[1]) : 1;
+
+    if (frame->n > 1 && length > 0)
+        axis = place_at((now[1].x - now[0].x) / length, (now[1].y - now[0].y) / length);
+    seen = place_seen(now[0], axis, at);
+    return place_at(frame->size > 0 && length > 0 ? seen.x / length : seen.x, seen.y);
 }
 
 display_item *display_line(display *d, int stroke, int layer, fourlink_vector from,
@@ -322,6 +338,7 @@ static void bend(display *d, display_item *x, double scale)
     x->centre = d->places[x->first];
     x->radius[0] *= scale;
     x->radius[1] *= scale;
+    d->hold = d->holds[x->first];
     x->first = d->n_places;
     x->n = 0;
     for (i = 0; i <= n; i++) {

@@ -42,7 +42,8 @@ typedef enum display_sort {
     DISPLAY_DISC,   /* a pin, or a point of a link: `is_open` in white */
     DISPLAY_CENTRE, /* a centre of mass: a disc in black and white quarters */
     DISPLAY_MARK,   /* a point of a curve, `size` in pixels; `is_open`: a ring */
-    DISPLAY_TEXT
+    DISPLAY_TEXT,
+    DISPLAY_FRAME /* which is not drawn: see below */
 } display_sort;
 
 #define DISPLAY_HEAD 0.025      /* of the width of the box: the head of an arrow */
@@ -60,6 +61,11 @@ typedef enum display_part {
 
 /* What is drawn later lies in front. */
 enum { DISPLAY_BACK, DISPLAY_CURVES, DISPLAY_LINES, DISPLAY_FRONT, DISPLAY_LAYERS };
+
+/* What moves as one has a frame: its coordinates in it are the same at all steps of a motion.  A place says by which
+** frame it is held, by the key of an item of this sort, or 0 for the sheet.  The places of a frame are its origin, and
+** one on its x axis, unless it is upright: a place of its own, of a body that turns, or one that something else holds.
+** With the size 1, coordinates along x are parts of the way between the two. */
 
 typedef struct display_item {
     display_sort sort;
@@ -102,6 +108,9 @@ typedef struct display {
     size_t n_items, items_capacity;
     fourlink_vector *places;
     size_t n_places, places_capacity;
+    unsigned long *holds; /* by place: the frame that holds it */
+    size_t holds_capacity;
+    unsigned long hold; /* of the places that are added next */
     char *words;
     size_t n_words, words_capacity;
     unsigned long key; /* of the items that are added next */
@@ -140,6 +149,10 @@ display_item *display_add(display *d, display_sort sort, int stroke, int layer);
 
 /* Add a place to the last item. */
 void display_add_place(display *d, fourlink_vector at);
+
+/* The coordinates of a place in a frame that is there now, by its two places. */
+fourlink_vector display_seen(const display_item *frame, const fourlink_vector now[2],
+                             fourlink_vector at);
 
 /* Add a line, an arrow, a text. */
 display_item *display_line(display *d, int stroke, int layer, fourlink_vector from,

@@ -22,6 +22,7 @@ void motion_close(motion *m)
 {
     free(m->items);
     free(m->tracks);
+    free(m->holds);
     free(m->curves);
     free(m->values);
     display_close(&m->kept);
@@ -95,14 +96,19 @@ static size_t tracks_of(const display_item *x)
     return x->sort == DISPLAY_ARC || x->sort == DISPLAY_TEXT ? 2 : x->n;
 }
 
-static int reserve_tracks(motion *m, size_t n)
+static int reserve_tracks(motion *m, size_t n, const display *d, const display_item *x)
 {
     size_t from = m->n_tracks * m->n_steps, to = from + n * m->n_steps;
     fourlink_vector *list = grow(m->tracks, &m->tracks_capacity, to, sizeof *m->tracks);
+    unsigned long *holds = grow(m->holds, &m->holds_capacity, m->n_tracks + n, sizeof *m->holds);
+    size_t i;
 
-    if (!list)
+    m->tracks = list ? list : m->tracks;
+    m->holds = holds ? holds : m->holds;
+    if (!list || !holds)
         return 0;
-    m->tracks = list;
+    for (i = 0; i < n; i++)
+        holds[m->n_tracks + i] = i < x->n ? d->holds[x->first + i] : 0;
     for (; from < to; from++)
         list[from] = place_at(GSL_NAN, GSL_NAN);
     m->n_tracks += n;
@@ -143,7 +149,7 @@ static int insert(motion *m, size_t at, const display *d, const display_item *x)
     new.n = is_curve ? x->n : tracks_of(x);
     new.varies = new.unit_varies = 0;
     if (!items || !values || memory_has_failed() ||
-        !(is_curve ? keep_curve(m, d, x) : reserve_tracks(m, new.n)))
+        !(is_curve ? keep_curve(m, d, x) : reserve_tracks(m, new.n, d, x)))
         return 0;
     memmove(items + at + 1, items + at, (m->n_items - at) * sizeof *items);
     new.row = m->n_items++;
@@ -152,6 +158,42 @@ static int insert(motion *m, size_t at, const display *d, const display_item *x)
         motion_value_at(m, at, i)->value = motion_value_at(m, at, i)->unit =
             is_curve ? 0 : MOTION_NONE;
     return 1;
+}
+
+/* ---------------------------------------------------------------------------------------------- frames */
+
+size_t motion_frame_of(const motion *m, size_t track)
+{
+    size_t i;
+
+    for (i = 0; i < m->n_items && m->holds[track]; i++)
+        if (m->items[i].like.sort == DISPLAY_FRAME && m->items[i].like.key == m->holds[track])
+            return i;
+    return m->n_items;
+}
+
+fourlink_vector motion_seen(const motion *m, size_t frame, size_t track, size_t step)
+{
+    const motion_item *x = &m->items[frame];
+    fourlink_vector now[2];
+
+    if (frame == m->n_items)
+        return m->tracks[track * m->n_steps + step];
+    now[0] = m->tracks[x->first * m->n_steps + step];
+    now[1] = m->tracks[(x->first + x->n - 1) * m->n_steps + step];
+    return display_seen(&x->like, now, m->tracks[track * m->n_steps + step]);
+}
+
+double motion_angle(const motion *m, size_t frame, size_t step)
+{
+    const motion_item *x = &m->items[frame];
+    fourlink_vector from, to;
+
+    if (frame == m->n_items || x->n < 2)
+        return 0;
+    from = m->tracks[x->first * m->n_steps + step];
+    to = m->tracks[(x->first + 1) * m->n_steps + step];
+    return atan2(to.y - from.y, to.x - from.x);
 }
 
 /* ----------------------------------------------------------------------------------------------- steps */
@@ -163,6 +205,9 @@ static void put_places(motion *m, const motion_item *to, size_t step, const disp
     const fourlink_vector *at = d->places + x->first;
     size_t i;
 
+    for (i = 0; i < x->n && i < to->n; i++)
+        if (m->holds[to->first + i] != d->holds[x->first + i])
+            m->holds[to->first + i] = 0; /* it changes from one to another */
     if (x->sort == DISPLAY_ARC) {
         track[0] = x->centre;
         track[m->n_steps] = place_at(100 * x->from, 100 * x->span);

@@ -31,6 +31,8 @@ typedef struct motion {
     size_t n_items, items_capacity;
     fourlink_vector *tracks; /* n_steps places each; NaN where the item is not there */
     size_t n_tracks, tracks_capacity;
+    unsigned long *holds; /* by track: the frame that holds it, by its key; 0: the sheet */
+    size_t holds_capacity;
     fourlink_vector *curves;
     size_t n_curves, curves_capacity;
     motion_value *values; /* by row and step */
@@ -47,6 +49,12 @@ int motion_is_label(const motion_item *x);
 /* Add the panel of a display list as one step.  An item that has the same key, sort and look as one of the
 ** steps before continues it; it has the same words, but its value and its unit may differ. */
 void motion_add(motion *m, size_t step, const display *d);
+
+/* The number of the frame that holds a track, among the items; of all of them for the sheet.  The coordinates of a track
+** in a frame at a step, and the angle of the frame, rad, downwards as pixels are. */
+size_t motion_frame_of(const motion *m, size_t track);
+fourlink_vector motion_seen(const motion *m, size_t frame, size_t track, size_t step);
+double motion_angle(const motion *m, size_t frame, size_t step);
 
 /* 1 if an item is there at a step; the value that it shows. */
 int motion_has(const motion *m, size_t item, size_t step);

@@ -425,6 +425,8 @@ static void put_item(FILE *out, const display *d, const display_item *x, const m
     char own[30], head[32];
     const char *class_name = svg_class(x, own);
 
+    if (x->sort == DISPLAY_FRAME)
+        return;
     if (x->sort == DISPLAY_TEXT) {
         put_text(out, d, x, m);
     } else if (x->sort < DISPLAY_DISC) {

@@ -27,15 +27,18 @@ void arrow_put(arrow_list *arrows, int number, pen kind, const char *name, fourl
     new->F = F;
     new->kind = kind;
     new->number = number;
+    new->body = 0;
     flk_text_join(new->name, sizeof new->name, name, (char *)NULL);
     arrows->n++;
 }
 
-void arrow_add(arrow_list *arrows, int number, pen kind, const char *name, fourlink_vector at,
-               double x, double y)
+void arrow_add(arrow_list *arrows, int number, int body, pen kind, const char *name,
+               fourlink_vector at, double x, double y)
 {
-    if (x != 0 || y != 0)
-        arrow_put(arrows, number, kind, name, at, place_at(x, y));
+    if (x == 0 && y == 0)
+        return;
+    arrow_put(arrows, number, kind, name, at, place_at(x, y));
+    arrows->list[arrows->n - 1].body = body;
 }
 
 void arrow_add_force(arrow_list *arrows, const picture_row *r, int number)
@@ -45,8 +48,9 @@ void arrow_add_force(arrow_list *arrows, const picture_row *r, int number)
     fourlink_vector F = tracks_vector(&r->numbers, f->of);
     char words[40];
 
-    arrow_add(arrows, number, pens[f->sort], scene_words(f, words, sizeof words),
-              tracks_vector(&r->numbers, f->at), f->sign * F.x, f->sign * F.y);
+    arrow_add(arrows, number, tracks_body(&r->numbers, f->at), pens[f->sort],
+              scene_words(f, words, sizeof words), tracks_vector(&r->numbers, f->at), f->sign * F.x,
+              f->sign * F.y);
 }
 
 void arrow_cut(arrow_list *arrows, const sketch *s)
@@ -108,7 +112,6 @@ int arrow_draw(const arrow_list *arrows, sketch *s, const picture *p, double sca
     for (i = 0; i < arrows->n; i++) {
         const arrow *x = &arrows->list[i];
         double size = gsl_hypot(x->F.x, x->F.y);
-        fourlink_vector end = place_in(x->at, x->F, scale, 0);
 
         if (size <= FORMAT_ROUNDING * largest)
             continue; /* it is rounding */
@@ -119,9 +122,8 @@ int arrow_draw(const arrow_list *arrows, sketch *s, const picture *p, double sca
             left_out++;
             continue;
         }
-        sketch_arrow(s, x->kind, x->at, end);
-        if (x->name[0])
-            sketch_text(s, end, x->F.x, x->F.y, x->name);
+        sketch_with(s, x->body);
+        sketch_vector(s, x->kind, x->at, x->F, scale, x->name);
     }
     return left_out;
 }
@@ -135,8 +137,8 @@ void arrow_note_missing(sketch *s, const picture *p, double largest)
     sketch_value(s, "no arrow below ", x.value, x.unit);
 }
 
-void arrow_draw_torque(sketch *s, const picture *p, int number, pen kind, const char *name,
-                       fourlink_vector at, double torque)
+void arrow_draw_torque(sketch *s, const picture *p, int number, int body, pen kind,
+                       const char *name, fourlink_vector at, double torque)
 {
     double side = kind == PEN_FORCE ? -1 : 1, radius = TORQUE * s->size;
     fourlink_vector below = place_beside(at, 0.86 * radius * side, -0.5 * radius * side);
@@ -144,6 +146,8 @@ void arrow_draw_torque(sketch *s, const picture *p, int number, pen kind, const 
     if (torque == 0)
         return;
     sketch_show(s, SKETCH_TORQUE, (unsigned long)number);
+    sketch_with(s, body);
+    sketch_upright(s, at);
     sketch_torque(s, kind, at, name[0] ? radius : AROUND_COIL * s->size, torque);
     if (!name[0])
         return;
@@ -158,9 +162,11 @@ void arrow_draw_load_torques(sketch *s, const picture *p, const picture_row *r, 
 
     for (i = 0; i < r->drawn.n_torques; i++) {
         const scene_force *f = &r->drawn.torques[i];
+        int slides = f->at == TRACK_B && link == p->v.kind.slotted;
 
         if (f->on == link && f->load && f->load != FOURLINK_LOAD_FRICTION)
-            arrow_draw_torque(s, p, i, PEN_LOAD, is_free || !f->is_inner ? f->name : "",
+            arrow_draw_torque(s, p, i, is_free && !slides ? link : tracks_body(&r->numbers, f->at),
+                              PEN_LOAD, is_free || !f->is_inner ? f->name : "",
                               tracks_vector(&r->numbers, f->at),
                               tracks_vector(&r->numbers, f->of).x);
     }

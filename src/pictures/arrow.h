@@ -13,6 +13,7 @@ typedef struct arrow {
     fourlink_vector F;  /* N */
     pen kind;
     int number; /* of the scene's forces, or of a polygon's sides */
+    int body;   /* the link with which its place moves; 0: none */
     char name[40];
 } arrow;
 
@@ -23,11 +24,11 @@ typedef struct arrow_list {
     int n;
 } arrow_list;
 
-/* Add a force; arrow_add leaves out a force of 0. */
+/* Add a force; arrow_add leaves out a force of 0, and says with which link its place moves. */
 void arrow_put(arrow_list *arrows, int number, pen kind, const char *name, fourlink_vector at,
                fourlink_vector F);
-void arrow_add(arrow_list *arrows, int number, pen kind, const char *name, fourlink_vector at,
-               double x, double y);
+void arrow_add(arrow_list *arrows, int number, int body, pen kind, const char *name,
+               fourlink_vector at, double x, double y);
 
 /* Add a force of the scene, by its number. */
 void arrow_add_force(arrow_list *arrows, const picture_row *r, int number);
@@ -50,12 +51,12 @@ double arrow_longest(const arrow_list *arrows, double largest_of_motion);
 int arrow_draw(const arrow_list *arrows, sketch *s, const picture *p, double scale, double largest);
 void arrow_note_missing(sketch *s, const picture *p, double largest);
 
-/* Draw the torques of these loads, but those of friction in pins; draw any other torque.  Without a name, as
-** those of springs on a link that is not free, it goes around the coil that has name and value. */
+/* Draw the torques of these loads, but those of friction in pins; draw any other torque, at a place that moves with a
+** link.  Without a name, as those of springs on a link that is not free, it goes around the coil that has name and value. */
 void arrow_draw_load_torques(sketch *s, const picture *p, const picture_row *r, int link,
                              int is_free);
-void arrow_draw_torque(sketch *s, const picture *p, int number, pen kind, const char *name,
-                       fourlink_vector at, double torque);
+void arrow_draw_torque(sketch *s, const picture *p, int number, int body, pen kind,
+                       const char *name, fourlink_vector at, double torque);
 
 /* Draw an arrow that shows the scale of a quantity, below the drawing; `largest` is in SI units. */
 void arrow_draw_scale(sketch *s, const picture *p, quantity q, double scale, double largest);

@@ -180,6 +180,29 @@ static int is_away(const sketch *s, const picture *p, const fourlink_state *stat
     return s->c->motion && geometry_is_far(&p->v, state, i);
 }
 
+/* The link on which the origin of another stays: 0 where it slides. */
+static int carrier_of(const picture *p, int link)
+{
+    const fourlink_group *g;
+
+    if (link <= FOURLINK_FOLLOWER)
+        return link == FOURLINK_COUPLER ? FOURLINK_CRANK : 0;
+    g = &p->v.design->group[(link - FOURLINK_FOLLOWER - 1) / 2];
+    if (link % 2)
+        return g->hang == FOURLINK_HANGS_IN_SLOT ? 0 : g->link;
+    return g->end == FOURLINK_GROUP_TURNS ? g->to : 0;
+}
+
+void figure_bodies(sketch *s, const picture *p, const fourlink_state *state)
+{
+    int link;
+
+    for (link = FOURLINK_CRANK; link <= state->last; link++) {
+        sketch_with(s, carrier_of(p, link));
+        sketch_body(s, link, state->link[link].origin, state->link[link].axis);
+    }
+}
+
 /* The fixed pins of outputs, and their lines of stroke beside the sliders. */
 static void put_frame_of_outputs(sketch *s, const picture *p, const fourlink_state *state)
 {
@@ -190,6 +213,7 @@ static void put_frame_of_outputs(sketch *s, const picture *p, const fourlink_sta
         const fourlink_group *g = &p->v.design->group[i];
         geometry_output x = geometry_find_output(&p->v, state, i);
 
+        sketch_with(s, g->end == FOURLINK_GROUP_SLIDES ? FOURLINK_END_OF(i) : FOURLINK_GROUND);
         if (is_away(s, p, state, i))
             sketch_skip(s, 1);
         else if (g->end == FOURLINK_GROUP_SLIDES)
@@ -204,6 +228,7 @@ void figure_frame(sketch *s, const picture *p, const fourlink_state *state)
 {
     figure_pins pins = figure_place(p, state);
 
+    figure_bodies(s, p, state);
     sketch_show(s, SKETCH_FRAME, 0);
     sketch_support(s, pins.A);
     if (!p->v.kind.guided) {
@@ -312,10 +337,12 @@ static void put_slot(sketch *s, const picture *p, const fourlink_state *state, i
 
     sketch_show(s, SKETCH_LINK, (unsigned long)x.link);
     sketch_skip(s, SLOT_PARTS * (1 + (unsigned long)i)); /* behind those of the link itself */
+    sketch_with(s, x.link);
     put_slot_itself(s, p, state, i, kind ? kind : FIGURE_PEN(x.link));
     if (is_away(s, p, state, i))
         return;
-    sketch_show(s, SKETCH_LINK, (unsigned long)FOURLINK_FOLLOWER + 1 + 2 * (unsigned long)i);
+    sketch_show(s, SKETCH_LINK, (unsigned long)FOURLINK_ROD_OF(i));
+    sketch_with(s, FOURLINK_ROD_OF(i));
     put_rectangle(s, kind ? kind : FIGURE_PEN(FOURLINK_FOLLOWER + 1 + 2 * i), x.block, &x.axis,
                   -0.8 * half, 0.8 * half, FIGURE_HIGH * half);
 }
@@ -349,9 +376,11 @@ static void put_outputs(sketch *s, const picture *p, const fourlink_state *state
             put_slot(s, p, state, i, kind);
         else {
             sketch_show(s, SKETCH_LINK, (unsigned long)rod);
+            sketch_with(s, rod);
             sketch_line(s, kind ? kind : FIGURE_PEN(rod), x.P, x.Q);
         }
         sketch_show(s, SKETCH_LINK, (unsigned long)rod + 1);
+        sketch_with(s, rod + 1);
         if (is_away(s, p, state, i))
             continue;
         if (p->v.design->group[i].end == FOURLINK_GROUP_SLIDES)
@@ -371,6 +400,7 @@ void figure_outline(sketch *s, const picture *p, const fourlink_state *state, pe
         pen own = kind ? kind : (pen)link;
 
         sketch_show(s, SKETCH_LINK, (unsigned long)link);
+        sketch_with(s, link);
         if (p->v.kind.shape[link] == FOURLINK_SHAPE_BAR)
             put_bar(s, p, state, link, own);
         if (link == p->v.kind.slotted)
@@ -381,9 +411,11 @@ void figure_outline(sketch *s, const picture *p, const fourlink_state *state, pe
     put_outputs(s, p, state, kind);
 }
 
-static void put_pin(sketch *s, unsigned long joint, fourlink_vector at, const char *letter)
+static void put_pin(sketch *s, unsigned long joint, int link, fourlink_vector at,
+                    const char *letter)
 {
     sketch_show(s, SKETCH_PIN, joint);
+    sketch_with(s, link);
     sketch_pin(s, at, letter);
 }
 
@@ -400,27 +432,30 @@ static void put_pins_of_outputs(sketch *s, const picture *p, const fourlink_stat
         if (is_away(s, p, state, i))
             continue;
         if (p->v.design->group[i].hang != FOURLINK_HANGS_IN_SLOT)
-            put_pin(s, (unsigned long)first, x.P, "");
+            put_pin(s, (unsigned long)first, p->v.design->group[i].link, x.P, "");
         if (p->v.design->group[i].hang != FOURLINK_HANGS_BY_OWN_SLOT)
-            put_pin(s, (unsigned long)first + 1, x.Q, "");
+            put_pin(s, (unsigned long)first + 1, end, x.Q, "");
         if (p->v.design->group[i].end == FOURLINK_GROUP_TURNS)
-            put_pin(s, (unsigned long)first + 2, x.D, "");
+            put_pin(s, (unsigned long)first + 2, end, x.D, "");
+        sketch_with(s, p->v.design->group[i].hang == FOURLINK_HANGS_BY_OWN_SLOT &&
+                               p->v.design->group[i].end == FOURLINK_GROUP_TURNS
+                           ? p->v.design->group[i].link
+                           : end);
+        sketch_upright(s, x.Q);
         sketch_name(s, x.Q, 0.8, 0.8,
                     canvas_shorten(fourlink_deck_link_text(p->v.deck, end), FIGURE_NAME, 0, fitting,
                                    sizeof fitting));
     }
 }
 
-/* The way from the middle of a link to a point of it. */
-static fourlink_vector outward(const picture *p, const fourlink_state *state, int link,
-                               fourlink_vector at)
+/* Let the next text stand outward of the middle of a link, if a script places it. */
+static void go_outward(sketch *s, const picture *p, const fourlink_state *state, int link)
 {
-    fourlink_vector middle = state->link[link].origin;
-
-    if (link <= FOURLINK_FOLLOWER)
-        middle = place_middle(geometry_joint(&p->v, state, link - FOURLINK_CRANK),
-                              geometry_joint(&p->v, state, link - FOURLINK_CRANK + 1));
-    return place_at(at.x - middle.x, at.y - middle.y);
+    sketch_with(s, link == p->v.kind.slotted ? 0 : link);
+    sketch_away(s, link > FOURLINK_FOLLOWER
+                       ? state->link[link].origin
+                       : place_middle(geometry_joint(&p->v, state, link - FOURLINK_CRANK),
+                                      geometry_joint(&p->v, state, link - FOURLINK_CRANK + 1)));
 }
 
 static void put_links(sketch *s, const picture *p, const fourlink_state *state)
@@ -428,7 +463,6 @@ static void put_links(sketch *s, const picture *p, const fourlink_state *state)
     figure_pins pins = figure_place(p, state);
     char fitting[LABELS_WORDS], own[TRACKS_NAME];
     unsigned long i;
-    fourlink_vector side;
     const char *name;
     int link;
 
@@ -439,24 +473,26 @@ static void put_links(sketch *s, const picture *p, const fourlink_state *state)
         fourlink_vector at = tracer(p, state, i, &name, &link);
 
         sketch_show(s, SKETCH_POINT, i);
+        go_outward(s, p, state, link);
+        sketch_with(s, link);
         sketch_dot(s, at, tracks_name("P", i, own));
-        side = s->c->is_bare ? outward(p, state, link, at) : place_at(0.8, 0.8);
-        sketch_name(s, at, side.x, side.y,
-                    canvas_shorten(name, FIGURE_NAME, 0, fitting, sizeof fitting));
+        sketch_name(s, at, 0.8, 0.8, canvas_shorten(name, FIGURE_NAME, 0, fitting, sizeof fitting));
     }
     if (!p->v.kind.guided)
-        put_pin(s, 3, pins.D, "D");
+        put_pin(s, 3, FOURLINK_GROUND, pins.D, "D");
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
         if (p->v.design->link[link].mass > 0) {
             sketch_show(s, SKETCH_CENTRE, (unsigned long)link);
+            sketch_with(s, link);
             sketch_centre(s, geometry_of_link(state, link, &p->v.design->link[link].cg),
                           tracks_name("G", (unsigned long)link, own));
         }
     put_pins_of_outputs(s, p, state);
-    put_pin(s, 0, pins.A, "A");
-    put_pin(s, 1, pins.B, "B");
+    put_pin(s, 0, FOURLINK_GROUND, pins.A, "A");
+    put_pin(s, 1, FOURLINK_CRANK, pins.B, "B");
+    sketch_with(s, FOURLINK_FOLLOWER);
     if (!p->v.kind.slotted) /* C is B */
-        put_pin(s, 2, pins.C, "C");
+        put_pin(s, 2, FOURLINK_FOLLOWER, pins.C, "C");
     else if (p->v.kind.guided)
         sketch_mark(s, pins.C, "C");
 }
@@ -495,13 +531,16 @@ static void put_steady_letters(sketch *s, const picture *p, const fourlink_state
     const int *slides_on = p->v.kind.slides_on;
 
     sketch_letter(s, place_beside(pins.A, -beside, -beside), -1, 0, "A");
+    sketch_with(s, FOURLINK_CRANK);
     if (slides_on[FOURLINK_COUPLER])
         figure_beyond_block(s);
     figure_letter(s, pins.B, pins.A, pins.A, "B");
     if (slides_on[FOURLINK_FOLLOWER])
         figure_beyond_block(s);
+    sketch_with(s, FOURLINK_FOLLOWER);
     if (p->v.kind.shape[FOURLINK_FOLLOWER] != FOURLINK_SHAPE_LEVER)
         figure_letter(s, pins.C, from, from, "C");
+    sketch_with(s, FOURLINK_GROUND);
     if (!p->v.kind.guided)
         sketch_letter(s, place_beside(pins.D, beside, -beside), 1, 0, "D");
 }
@@ -615,8 +654,16 @@ static void put_numbers(sketch *s, const picture *p, const fourlink_state *state
                                  ? place_in(to[link], *axis, half, FIGURE_HIGH * half)
                                  : place_middle(from[link], to[link]);
 
+        sketch_with(s, p->v.kind.guided && p->v.kind.slotted && link == FOURLINK_COUPLER
+                           ? FOURLINK_FOLLOWER
+                           : link);
+        if (p->v.kind.shape[link] == FOURLINK_SHAPE_LEVER) { /* on which B slides */
+            sketch_along(s, from[link], FOURLINK_CRANK, to[link], 1);
+            sketch_away(s, place_in(at, direction(from[link], to[link]), 0, -half));
+        }
         sketch_number(s, at, -axis->y, axis->x, numbers[link]);
     }
+    sketch_with(s, FOURLINK_GROUND);
     sketch_number(s, place_beside(pins.A, 0, -0.05 * s->size), 0, -1, "1");
 }
 
@@ -633,7 +680,8 @@ void figure_sense(sketch *s, const fourlink_state *state, fourlink_vector A)
 
     if (omega == 0)
         return;
-    sketch_show(s, SKETCH_SENSE, 0);
+    sketch_show(s, SKETCH_SENSE, omega < 0);
+    sketch_with(s, FOURLINK_CRANK);
     sketch_turn_arrow(s, PEN_SENSE, A, radius, from, from + sign * LONG);
     sketch_text_around(s, A, radius, middle, OMEGA SUB_2);
 }

@@ -34,6 +34,9 @@ void figure_off(sketch *s, fourlink_vector first, fourlink_vector second, fourli
 /* Begin a drawing of the mechanism on a branch, scaled to its whole motion. */
 void figure_open(sketch *s, picture *p, fourlink_branch branch);
 
+/* Say where the links are: what moves with them is drawn in a motion as theirs. */
+void figure_bodies(sketch *s, const picture *p, const fourlink_state *state);
+
 /* Draw the frame: supports at A and D, or the guide. */
 void figure_frame(sketch *s, const picture *p, const fourlink_state *state);
 

@@ -107,6 +107,7 @@ void hull_draw(sketch *s, const picture *p, const fourlink_state *state, int lin
     points[n++] = place_at(0, 0);
     points[n++] = place_at(length_of(p, link), 0);
     sketch_show(s, SKETCH_HULL, (unsigned long)link);
+    sketch_with(s, link);
     if (is_off || link != p->v.kind.slotted) /* a lever goes that far */
         put_hull(s, state, link, points, n);
 }

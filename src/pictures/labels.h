@@ -15,15 +15,17 @@
 /* A text that is put beside a place after everything else: on the requested side, or where there is room. */
 typedef struct label {
     fourlink_vector at;
-    double dx, dy;  /* the direction, of any length */
-    double half;    /* half its width, in pixels */
-    double beyond;  /* of a drawing that a script moves: how far from its place it begins, in m */
-    int has_leader; /* 1: a line leads to its place, if it stands far from it */
-    int is_close;   /* 1: it stands close to its place or nowhere */
-    int is_hidden;  /* 1, when placed: nowhere */
-    int side;       /* of a drawing that moves: its number in labels_motion */
-    unsigned long key;      /* what it names: the same at all steps of a motion */
-    fourlink_vector middle; /* of the text, in pixels from the place */
+    double dx, dy; /* the direction, of any length */
+    double half;   /* half its width, in pixels */
+    double beyond; /* of a drawing that a script moves: how far from its place it begins, in m, */
+    fourlink_vector behind;          /* the place away from which it stands; */
+    unsigned long hold, behind_hold; /* the frames that hold both */
+    int has_leader;                  /* 1: a line leads to its place, if it stands far from it */
+    int is_close;                    /* 1: it stands close to its place or nowhere */
+    int is_hidden;                   /* 1, when placed: nowhere */
+    int side;                        /* of a drawing that moves: its number in labels_motion */
+    unsigned long key;               /* what it names: the same at all steps of a motion */
+    fourlink_vector middle;          /* of the text, in pixels from the place */
     char words[LABELS_WORDS];
 } label;
 

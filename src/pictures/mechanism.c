@@ -32,7 +32,8 @@ static void add_springs(arrow_list *arrows, const picture_row *r)
         fourlink_vector F = tracks_vector(&r->numbers, f->of);
 
         if (f->load == FOURLINK_LOAD_SPRING)
-            arrow_add(arrows, i, PEN_LOAD, "", tracks_vector(&r->numbers, f->at), F.x, F.y);
+            arrow_add(arrows, i, tracks_body(&r->numbers, f->at), PEN_LOAD, "",
+                      tracks_vector(&r->numbers, f->at), F.x, F.y);
     }
 }
 
@@ -82,7 +83,7 @@ static void draw_forces(sketch *s, const picture *p, const picture_row *r, doubl
     }
     for (link = FOURLINK_CRANK; link <= r->now.state.last; link++)
         arrow_draw_load_torques(s, p, r, link, 0);
-    arrow_draw_torque(s, p, 0, PEN_FORCE, "T" SUB_S, crankshaft,
+    arrow_draw_torque(s, p, 0, FOURLINK_GROUND, PEN_FORCE, "T" SUB_S, crankshaft,
                       view_driving_torque(&p->v, &r->now.forces));
     if (s->is_window)
         return;
@@ -184,16 +185,20 @@ static void draw_crank(sketch *s, const picture *p, const picture_row *r)
 {
     fourlink_vector A = tracks_vector(&r->numbers, TRACK_A),
                     B = tracks_vector(&r->numbers, TRACK_B);
+    double length = place_distance(A, B);
 
     sketch_show(s, SKETCH_FRAME, 0);
     sketch_support(s, A);
     if (!p->v.kind.guided)
         sketch_support(s, place_at(p->v.design->link[FOURLINK_GROUND].length, 0));
+    sketch_body(s, FOURLINK_CRANK, A, place_at((B.x - A.x) / length, (B.y - A.y) / length));
     sketch_show(s, SKETCH_LINK, FOURLINK_CRANK);
+    sketch_with(s, FOURLINK_CRANK);
     sketch_line(s, PEN_CRANK, A, B);
     sketch_show(s, SKETCH_PIN, 0);
     sketch_pin(s, A, "A");
     sketch_show(s, SKETCH_PIN, 1);
+    sketch_with(s, FOURLINK_CRANK);
     sketch_pin(s, B, "B");
     sketch_show(s, SKETCH_MISSING, 1);
     sketch_value(s, "", fourlink_status_text(r->now.status), "");

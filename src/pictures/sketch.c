@@ -35,6 +35,12 @@ static fourlink_vector turned(const sketch *s, fourlink_vector p)
                     s->sine * x + s->cosine * y + s->shift.y);
 }
 
+/* A place in the drawing's unit. */
+static fourlink_vector in_unit(const sketch *s, fourlink_vector at)
+{
+    return place_at(at.x * s->unit->down / s->unit->up, at.y * s->unit->down / s->unit->up);
+}
+
 /* Keys: what, its number, 1,024 parts, and 256 pieces of a part that the window cuts. */
 #define NUMBERS 256UL
 #define PARTS 1024UL
@@ -43,6 +49,7 @@ static fourlink_vector turned(const sketch *s, fourlink_vector p)
 void sketch_show(sketch *s, sketch_subject what, unsigned long number)
 {
     s->subject = s->part = ((unsigned long)what * NUMBERS + number) * PARTS * PIECES;
+    s->c->d->hold = 0;
 }
 
 void sketch_skip(sketch *s, unsigned long parts)
@@ -56,6 +63,57 @@ static unsigned long next_part(sketch *s)
     s->c->d->key = s->part;
     sketch_skip(s, 1);
     return s->c->d->key;
+}
+
+/* The key of a link's frame; the ground stands still, as the sheet does. */
+static unsigned long key_of(int link)
+{
+    return link <= FOURLINK_GROUND
+               ? 0
+               : ((unsigned long)SKETCH_BODY * NUMBERS + (unsigned long)link) * PARTS * PIECES;
+}
+
+void sketch_with(sketch *s, int link)
+{
+    s->c->d->hold = s->c->motion ? key_of(link) : 0;
+}
+
+/* Begin a frame at a place that moves with what is said now; then it holds what follows. */
+static display_item *add_frame(sketch *s, unsigned long key, fourlink_vector origin)
+{
+    display_item *x;
+
+    s->c->d->key = key;
+    x = display_add(s->c->d, DISPLAY_FRAME, PEN_OF_LINK, DISPLAY_BACK);
+    display_add_place(s->c->d, in_unit(s, turned(s, origin)));
+    s->c->d->hold = key;
+    return x;
+}
+
+void sketch_body(sketch *s, int link, fourlink_vector origin, fourlink_vector axis)
+{
+    if (!s->c->motion)
+        return;
+    add_frame(s, key_of(link), origin);
+    display_add_place(s->c->d, in_unit(s, turned(s, place_in(origin, axis, s->size, 0))));
+}
+
+void sketch_upright(sketch *s, fourlink_vector at)
+{
+    if (s->c->motion)
+        add_frame(s, next_part(s), at);
+}
+
+void sketch_along(sketch *s, fourlink_vector from, int link, fourlink_vector to, int is_stretched)
+{
+    unsigned long key = next_part(s);
+
+    if (!s->c->motion)
+        return;
+    add_frame(s, key, from)->size = is_stretched;
+    sketch_with(s, link);
+    display_add_place(s->c->d, in_unit(s, turned(s, to)));
+    s->c->d->hold = key;
 }
 
 void sketch_hold(sketch *s, fourlink_vector at)
@@ -108,7 +166,7 @@ void sketch_open(sketch *s, canvas *c, const fourlink_unit *unit, double size)
     s->block = 0;
     s->held = s->place = place_at(0, 0);
     s->n_notes = s->n_entries = s->texts.n = s->texts.n_obstacles = 0;
-    s->scale.length = s->beyond = 0;
+    s->scale.length = s->beyond = s->is_away = 0;
     s->shrink = 1;
     if (c->motion && c->motion->phase != LABELS_MEASURE) {
         s->is_fixed = 1;
@@ -117,12 +175,6 @@ void sketch_open(sketch *s, canvas *c, const fourlink_unit *unit, double size)
     sketch_show(s, SKETCH_OTHER, 0);
     sketch_turn(s, 1);
     canvas_begin_panel(c);
-}
-
-/* A place in the drawing's unit. */
-static fourlink_vector in_unit(const sketch *s, fourlink_vector at)
-{
-    return place_at(at.x * s->unit->down / s->unit->up, at.y * s->unit->down / s->unit->up);
 }
 
 static void add_obstacle(sketch *s, fourlink_vector from, fourlink_vector to, double weight)
@@ -160,19 +212,23 @@ static void take_line(sketch *s, pen p, fourlink_vector from, fourlink_vector to
         add_obstacle(s, from, to, p == PEN_CONSTRUCTION || p == PEN_OTHER ? 1 : 3);
 }
 
+/* Put a line; one that a window cuts moves with nothing. */
 static void put_line(sketch *s, pen p, fourlink_vector from, fourlink_vector to, int has_head)
 {
+    unsigned long hold = s->c->d->hold;
+    fourlink_vector first = from = turned(s, from), last = to = turned(s, to);
     display_item *line;
 
-    from = turned(s, from);
-    to = turned(s, to);
     has_head = has_head && !is_beyond(s, to);
     if (s->is_window && !place_clip(&s->drawn, &from, &to))
         return;
     take_line(s, p, from, to);
+    if (place_distance(from, first) + place_distance(to, last) > 0)
+        s->c->d->hold = 0;
     line = display_line(s->c->d, (int)p, DISPLAY_LINES, in_unit(s, from), in_unit(s, to));
     line->sort = has_head ? DISPLAY_ARROW : DISPLAY_LINE;
     line->size = has_head ? canvas_head(s->c) : 0;
+    s->c->d->hold = hold;
 }
 
 void sketch_line(sketch *s, pen p, fourlink_vector from, fourlink_vector to)
@@ -185,6 +241,25 @@ void sketch_arrow(sketch *s, pen p, fourlink_vector from, fourlink_vector to)
 {
     next_part(s);
     put_line(s, p, from, to, 1);
+}
+
+void sketch_vector(sketch *s, pen p, fourlink_vector at, fourlink_vector v, double scale,
+                   const char *name)
+{
+    display *d = s->c->d;
+    unsigned long hold = d->hold;
+    size_t n = d->n_items;
+    fourlink_vector to = place_in(at, v, scale, 0);
+
+    sketch_away(s, at);
+    sketch_upright(s, at);
+    sketch_arrow(s, p, at, to);
+    if (d->n_items > n + 1 && d->holds[d->n_places - 2])
+        d->holds[d->n_places - 2] = hold; /* it begins at a place that moves with what was said */
+    if (name[0])
+        sketch_text(s, to, v.x, v.y, name);
+    s->is_away = 0;
+    d->hold = hold;
 }
 
 /* A place of an arc or a spiral, after a part of it. */
@@ -301,9 +376,11 @@ static label *add_text(sketch *s, fourlink_vector at, double dx, double dy, cons
     label *new = &s->texts.list[s->texts.n];
     unsigned long key = next_part(s);
     fourlink_vector side = turned(s, place_beside(s->held, dx, dy));
+    double way = s->letter * s->size, length;
+    int is_away = s->is_away && place_distance(s->away, turned(s, at)) > 0;
 
     new->beyond = s->beyond;
-    s->beyond = 0;
+    s->beyond = s->is_away = 0;
     at = turned(s, at);
     if (s->texts.n == LABELS_MOST || is_beyond(s, at))
         return NULL;
@@ -312,6 +389,12 @@ static label *add_text(sketch *s, fourlink_vector at, double dx, double dy, cons
     new->at = at;
     new->dx = side.x - s->shift.x;
     new->dy = side.y - s->shift.y;
+    length = gsl_hypot(new->dx, new->dy);
+    new->hold = s->c->d->hold;
+    new->behind_hold = is_away ? s->away_hold : new->hold;
+    new->behind = is_away      ? s->away
+                  : length > 0 ? place_beside(at, -way * new->dx / length, -way * new->dy / length)
+                               : place_beside(at, 0, -way);
     flk_text_join(new->words, sizeof new->words, words, (char *)NULL);
     new->half = canvas_width_of(words) * (s->c->is_text ? 1 : NARROW) / 2;
     new->is_close = new->has_leader = new->is_hidden = 0;
@@ -327,6 +410,13 @@ void sketch_text(sketch *s, fourlink_vector at, double dx, double dy, const char
 void sketch_beyond(sketch *s, double radius)
 {
     s->beyond = radius;
+}
+
+void sketch_away(sketch *s, fourlink_vector from)
+{
+    s->is_away = 1;
+    s->away = turned(s, from);
+    s->away_hold = s->c->d->hold;
 }
 
 void sketch_letter(sketch *s, fourlink_vector at, double dx, double dy, const char *words)
@@ -354,6 +444,7 @@ void sketch_number(sketch *s, fourlink_vector at, double dx, double dy, const ch
 void sketch_text_around(sketch *s, fourlink_vector centre, double radius, double angle,
                         const char *words)
 {
+    sketch_away(s, centre);
     sketch_text(s, place_polar(centre, radius, angle), cos(angle), sin(angle), words);
 }
 
@@ -459,20 +550,18 @@ static void put_leader(const sketch *s, const label *x)
     display_line(s->c->d, PEN_LEADER, DISPLAY_FRONT, from, to);
 }
 
-#define BEHIND 20.0 /* pixels */
-
 /* Leave a text to the script: beside its place, away from one behind it. */
 static void put_free_label(const sketch *s, const label *x)
 {
-    display_item *put = display_text(s->c->d, 0, in_unit(s, x->at), DISPLAY_MIDDLE, x->words);
-    double length = gsl_hypot(x->dx, x->dy), way = BEHIND * s->texts.scale;
-    fourlink_vector back = place_at(0, -way);
+    display_item *put;
 
-    if (length > 0)
-        back = place_at(-way * x->dx / length, -way * x->dy / length);
+    s->c->d->hold = x->hold;
+    put = display_text(s->c->d, 0, in_unit(s, x->at), DISPLAY_MIDDLE, x->words);
     put->is_boxed = 1;
     put->size = in_unit(s, place_at(x->beyond, 0)).x;
-    display_add_place(s->c->d, in_unit(s, place_beside(x->at, back.x, back.y)));
+    s->c->d->hold = x->behind_hold;
+    display_add_place(s->c->d, in_unit(s, x->behind));
+    s->c->d->hold = 0;
 }
 
 /* Put a text at its side: beyond half its width it begins or ends there, in a motion its middle stays. */
@@ -491,6 +580,7 @@ static void put_labels(const sketch *s)
 {
     int i;
 
+    s->c->d->hold = 0;
     for (i = 0; i < s->texts.n; i++) {
         const label *one = &s->texts.list[i];
 

@@ -39,7 +39,8 @@ typedef enum sketch_subject {
     SKETCH_WANTED, /* a position */
     SKETCH_MEANING,
     SKETCH_MISSING, /* why there is no arrow, or no position */
-    SKETCH_CIRCLES
+    SKETCH_CIRCLES,
+    SKETCH_BODY /* a link, for all that moves with it */
 } sketch_subject;
 
 /* A line beside the drawing: words, and behind them a value and its unit. */
@@ -82,8 +83,11 @@ typedef struct sketch {
     labels texts;
     sketch_entry entries[SKETCH_CURVES + SKETCH_MEANINGS]; /* curves first */
     int n_entries;
-    sketch_scale_bar scale; /* of a bare drawing: that of its arrows; length 0: there is none */
-    double beyond;          /* of the next text, or 0: sketch_beyond */
+    sketch_scale_bar scale;  /* of a bare drawing: that of its arrows; length 0: there is none */
+    double beyond;           /* of the next text, or 0: sketch_beyond */
+    int is_away;             /* 1: it is placed away from a point, */
+    fourlink_vector away;    /* this one, */
+    unsigned long away_hold; /* held by this frame */
     double shrink; /* 1, or lengths of this drawing of a motion are so many times smaller */
 } sketch;
 
@@ -103,6 +107,15 @@ void sketch_hold(sketch *s, fourlink_vector at);
 void sketch_show(sketch *s, sketch_subject what, unsigned long number);
 void sketch_skip(sketch *s, unsigned long parts);
 
+/* What the drawings of a motion say of what follows, until the next subject: the link or the ground with which it moves.
+** Before that, a link is told: its origin, which moves with what is said then, and its axis.  Or it is upright at a place
+** that moves with what is said before, or goes along the way from such a place to another link's; stretched, it becomes
+** longer with the way.  In other drawings they do nothing. */
+void sketch_with(sketch *s, int link);
+void sketch_body(sketch *s, int link, fourlink_vector origin, fourlink_vector axis);
+void sketch_upright(sketch *s, fourlink_vector at);
+void sketch_along(sketch *s, fourlink_vector from, int link, fourlink_vector to, int is_stretched);
+
 /* Draw only what is in a square around a place, with this half side. */
 void sketch_window(sketch *s, fourlink_vector middle, double half);
 
@@ -114,6 +127,10 @@ void sketch_include(sketch *s, fourlink_vector p);
 
 void sketch_line(sketch *s, pen p, fourlink_vector from, fourlink_vector to);
 void sketch_arrow(sketch *s, pen p, fourlink_vector from, fourlink_vector to);
+
+/* Draw a vector at a place, with so many units of length for one of its own, and its name at the end, or "". */
+void sketch_vector(sketch *s, pen p, fourlink_vector at, fourlink_vector v, double scale,
+                   const char *name);
 
 /* Draw a point, a pin, a centre of mass, or a wanted place, whose radii are fractions of the drawing's
 ** size; `name` is for those who read the file. */
@@ -144,6 +161,9 @@ void sketch_text(sketch *s, fourlink_vector at, double dx, double dy, const char
 ** that of a pin in a block. */
 void sketch_letter(sketch *s, fourlink_vector at, double dx, double dy, const char *words);
 void sketch_beyond(sketch *s, double radius);
+
+/* Let it be placed away from a point that moves with what is said now. */
+void sketch_away(sketch *s, fourlink_vector from);
 
 /* The same with a line to the point, if the text stands far from it or near another such point. */
 void sketch_name(sketch *s, fourlink_vector at, double dx, double dy, const char *words);

@@ -30,6 +30,7 @@
 /* A spring from one end to the other, and a parallel to it where spring and damper are side by side. */
 typedef struct strand {
     sketch *s;
+    int link[2]; /* at its ends */
     fourlink_vector from, axis;
     double length, half; /* half the width of a zigzag */
     double side;         /* of the parallel to the left, in these halves */
@@ -79,11 +80,23 @@ static void put_damper(const strand *x)
     put_line(x, PISTON, 0, 1 - LEAD, 0);
 }
 
+/* What follows is along the spring from one of its ends to the other. */
+static void go_along(const strand *x, int from, int is_stretched)
+{
+    fourlink_vector end[2];
+
+    end[0] = x->from;
+    end[1] = place_in(x->from, x->axis, x->length, 0);
+    sketch_with(x->s, x->link[from]);
+    sketch_along(x->s, end[from], x->link[!from], end[!from], is_stretched);
+}
+
 /* Ground at an end, across the spring. */
-static void put_wall(const strand *x, double at, double outward)
+static void put_wall(const strand *x, int at, double outward)
 {
     int i;
 
+    go_along(x, at, 0);
     put_line(x, at, -1.2, at, 1.2);
     for (i = -1; i <= 2; i++) {
         fourlink_vector p = place(x, at, 0.8 * i - 0.4);
@@ -94,9 +107,9 @@ static void put_wall(const strand *x, double at, double outward)
 }
 
 /* Draw the place of an end on its link: a point, with thin lines if it is off the link's line; or ground. */
-static void put_end(const strand *x, const picture *p, const fourlink_state *state, int link,
-                    double at)
+static void put_end(const strand *x, const picture *p, const fourlink_state *state, int at)
 {
+    int link = x->link[at];
     figure_pins pins = figure_place(p, state);
     fourlink_vector end = place(x, at, -x->side);
 
@@ -104,10 +117,12 @@ static void put_end(const strand *x, const picture *p, const fourlink_state *sta
         put_wall(x, at, at > 0 ? 1 : -1);
         return;
     }
+    sketch_with(x->s, link == p->v.kind.slotted ? FOURLINK_GROUND : link);
     if (link == FOURLINK_CRANK)
         figure_off(x->s, pins.A, pins.B, end);
     else if (!p->v.kind.slides_on[link])
         figure_off(x->s, link == FOURLINK_COUPLER ? pins.B : pins.D, pins.C, end);
+    sketch_with(x->s, link);
     sketch_dot(x->s, end, "");
 }
 
@@ -121,14 +136,17 @@ static void draw_linear(sketch *s, const picture *p, const fourlink_state *state
 
     x.s = s;
     x.side = 0;
+    x.link[0] = spring->link;
+    x.link[1] = spring->to;
     x.from = geometry_of_link(state, spring->link, &spring->at);
     x.length = place_distance(x.from, to);
     x.half = HALF_WIDTH * s->size;
     if (x.length == 0)
         return;
     x.axis = place_at((to.x - x.from.x) / x.length, (to.y - x.from.y) / x.length);
-    put_end(&x, p, state, spring->link, 0);
-    put_end(&x, p, state, spring->to, 1);
+    put_end(&x, p, state, 0);
+    put_end(&x, p, state, 1);
+    go_along(&x, 0, 1);
     put_line(&x, 0, 0, LEAD, 0);
     put_line(&x, 1 - LEAD, 0, 1, 0);
     end = has_coil && has_damper ? 1.4 : 0; /* side by side */
@@ -156,14 +174,17 @@ static void draw_actuator(sketch *s, const picture *p, const fourlink_state *sta
 
     x.s = s;
     x.side = 0;
+    x.link[0] = actuator->to;
+    x.link[1] = actuator->link;
     x.from = geometry_of_link(state, actuator->to, &actuator->to_at);
     x.length = place_distance(x.from, to);
     x.half = HALF_WIDTH * s->size;
     if (x.length == 0)
         return;
     x.axis = place_at((to.x - x.from.x) / x.length, (to.y - x.from.y) / x.length);
-    put_end(&x, p, state, actuator->to, 0);
-    put_end(&x, p, state, actuator->link, 1);
+    put_end(&x, p, state, 0);
+    put_end(&x, p, state, 1);
+    go_along(&x, 0, 1);
     put_line(&x, 0, -1, 0, 1);
     put_line(&x, 0, -1, BARREL, -1);
     put_line(&x, 0, 1, BARREL, 1);
@@ -188,12 +209,16 @@ static double direction_from(const picture *p, const fourlink_state *state, int 
 static void draw_torsional(sketch *s, const picture *p, const fourlink_state *state,
                            const fourlink_spring *spring, const char *name)
 {
-    fourlink_vector pin = geometry_joint(&p->v, state, scene_joint_of(spring));
+    int joint = scene_joint_of(spring);
+    fourlink_vector pin = geometry_joint(&p->v, state, joint);
     double from = direction_from(p, state, spring->to, pin);
     double span = direction_from(p, state, spring->link, pin) - from;
 
     span += 2 * M_PI * (TURNS - flk_cycle_count(span, 2 * M_PI));
+    sketch_with(s, p->v.kind.joint[joint].at);
     sketch_spiral(s, PEN_GROUND, pin, 0.3 * RADIUS * s->size, RADIUS * s->size, from, from + span);
+    if (spring->link != p->v.kind.slotted || joint != 2) /* where the coupler, a block, slides */
+        sketch_with(s, spring->link);
     sketch_text_around(s, pin, RADIUS * s->size, from + span + 2, name);
 }
 

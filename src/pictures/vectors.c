@@ -98,6 +98,7 @@ static void draw_sides(polygon *g)
             continue;
         }
         sketch_arrow(&g->s, x->kind, x->at, to);
+        sketch_along(&g->s, x->at, 0, to, 1);
         nx = -dy / length;
         ny = dx / length;
         out = !g->p->on.motion && nx * (x->at.x - g->middle.x) + ny * (x->at.y - g->middle.y) < 0
@@ -111,6 +112,7 @@ static void draw_sides(polygon *g)
 static void put_letter(polygon *g, int corner, fourlink_vector at, const char *letter)
 {
     sketch_show(&g->s, SKETCH_CORNER, (unsigned long)corner);
+    sketch_away(&g->s, g->p->on.motion ? g->s.held : g->middle);
     if (arrow_largest(&g->sides) > 0)
         sketch_text(&g->s, at, at.x - g->middle.x, at.y - g->middle.y, letter);
 }
@@ -120,6 +122,7 @@ static void put_image(polygon *g, fourlink_vector end, const char *letter)
 {
     sketch_line(&g->s, PEN_CONSTRUCTION, zero, end);
     sketch_dot(&g->s, end, letter);
+    sketch_away(&g->s, zero);
     sketch_name(&g->s, end, end.x - g->middle.x, end.y - g->middle.y, letter);
 }
 
@@ -306,6 +309,21 @@ typedef struct free_body {
     arrow_list forces;
 } free_body;
 
+/* The link with which a place of a free body moves: its own, but 0 where another link slides on it. */
+static int body_at(const free_body *b, const picture *p, const picture_row *r, int at)
+{
+    int i = (at - TRACK_OUTPUT) / TRACKS_OF_OUTPUT, slides;
+
+    if (at < TRACK_OUTPUT)
+        slides = b->link == p->v.kind.slotted && (at == TRACK_B || at >= TRACK_DRIVE);
+    else
+        slides = tracks_body(&r->numbers, at) != b->link &&
+                 p->v.design->group[i].hang == (b->link == FOURLINK_END_OF(i)
+                                                    ? FOURLINK_HANGS_BY_OWN_SLOT
+                                                    : FOURLINK_HANGS_IN_SLOT);
+    return slides ? 0 : b->link;
+}
+
 /* Add the forces of a sort; the first two, those of the pins, have circles. */
 static void add_forces(free_body *b, const picture *p, const picture_row *r, scene_sort sort)
 {
@@ -318,6 +336,8 @@ static void add_forces(free_body *b, const picture *p, const picture_row *r, sce
             continue;
         n = b->forces.n;
         arrow_add_force(&b->forces, r, i);
+        if (b->forces.n > n)
+            b->forces.list[n].body = body_at(b, p, r, f->at);
         if (sort != SCENE_PIN || pin > 1 || b->link > FOURLINK_FOLLOWER)
             continue; /* pins of outputs have no friction */
         b->circle[pin] = circle_of(p, r, b->link - FOURLINK_CRANK + pin, b->link,
@@ -331,9 +351,12 @@ static void touch(free_body *b, int pin)
 {
     int i = b->of_pin[pin];
 
-    if (i >= 0)
-        b->forces.list[i].at =
-            touch_of(&b->circle[pin], b->circle_scale, b->forces.list[i].at, b->forces.list[i].F);
+    if (i < 0)
+        return;
+    b->forces.list[i].at =
+        touch_of(&b->circle[pin], b->circle_scale, b->forces.list[i].at, b->forces.list[i].F);
+    if (b->circle[pin].radius > 0)
+        b->forces.list[i].body = 0; /* it goes along the circle */
 }
 
 /* The distance of its pins; of a block the length of the crank; of a yoke, and of a lever in a motion, whose
@@ -395,6 +418,30 @@ static void open_body(free_body *b, const picture *p, const picture_row *r, int 
     add_forces(b, p, r, SCENE_INERTIA);
 }
 
+/* 1 for a link that is no more than a block, which is as long as the crank here. */
+static int is_block(const picture *p, int link)
+{
+    const fourlink_group *g;
+
+    if (link <= FOURLINK_FOLLOWER)
+        return p->v.kind.shape[link] == FOURLINK_SHAPE_BLOCK;
+    g = &p->v.design->group[(link - FOURLINK_FOLLOWER - 1) / 2];
+    return link % 2 == 0 && g->end == FOURLINK_GROUP_SLIDES &&
+           g->hang != FOURLINK_HANGS_BY_OWN_SLOT;
+}
+
+/* The link with which lines between its pins move: 0 if one of them slides on it. */
+static int body_of_pins(const picture *p, int link)
+{
+    int of = link - FOURLINK_FOLLOWER - 1;
+
+    return link == p->v.kind.slotted ||
+                   (of > 0 && of % 2 &&
+                    p->v.design->group[of / 2].hang == FOURLINK_HANGS_BY_OWN_SLOT)
+               ? 0
+               : link;
+}
+
 /* Draw a pin, in the middle of its friction circle if it has one. */
 static void draw_pin(sketch *s, const picture *p, const free_body *b, int pin)
 {
@@ -403,6 +450,11 @@ static void draw_pin(sketch *s, const picture *p, const free_body *b, int pin)
     const char *letter = p->v.kind.joint[joint].letter;
 
     sketch_show(s, SKETCH_PIN, (unsigned long)joint);
+    sketch_with(s, b->link == p->v.kind.slotted && pin ? 0 : b->link);
+    sketch_away(s, other);
+    sketch_with(s, b->link == p->v.kind.slotted && !pin ? 0 : b->link);
+    if (b->circle[pin].radius > 0 || is_block(p, b->link))
+        sketch_upright(s, at);
     if (b->circle[pin].radius > 0) {
         sketch_arc(s, PEN_OTHER, at, b->circle_scale * b->circle[pin].radius, 0, 2 * M_PI);
         sketch_dot(s, at, letter);
@@ -426,11 +478,13 @@ static void draw_output_pins(sketch *s, const picture *p, const free_body *b)
                                                          : second;
 
     sketch_show(s, SKETCH_PIN, (unsigned long)(FOURLINK_FOLLOWER + 3 * i + (is_rod ? 0 : 2)));
+    sketch_with(s, b->link);
     if (is_rod || g->end == FOURLINK_GROUP_TURNS) {
         sketch_pin(s, b->first, first);
         figure_letter(s, b->first, b->second, b->second, first);
     }
     sketch_show(s, SKETCH_PIN, (unsigned long)(FOURLINK_FOLLOWER + 3 * i + 1));
+    sketch_with(s, body_of_pins(p, b->link));
     sketch_pin(s, b->second, second);
     figure_letter(s, b->second, b->first, b->first, second);
 }
@@ -446,6 +500,7 @@ static void draw_carried(sketch *s, const picture *p, const picture_row *r, cons
         if (f->on != b->link || f->at < TRACK_OUTPUT || f->sign > 0)
             continue;
         sketch_show(s, SKETCH_OFF, (unsigned long)(VIEW_LOADS + i));
+        sketch_with(s, body_of_pins(p, b->link) ? body_at(b, p, r, f->at) : 0);
         figure_off(s, b->first, b->second, tracks_vector(&r->numbers, f->at));
     }
     (void)p;
@@ -457,6 +512,7 @@ static void draw_body(sketch *s, const picture *p, const picture_row *r, const f
     unsigned long i;
 
     sketch_show(s, SKETCH_LINK, (unsigned long)b->link);
+    sketch_with(s, b->link);
     if (b->link > FOURLINK_FOLLOWER)
         figure_output_link(s, p, &r->now.state, b->link);
     else if (b->link == p->v.kind.slotted)
@@ -467,14 +523,17 @@ static void draw_body(sketch *s, const picture *p, const picture_row *r, const f
         sketch_line(s, (pen)b->link, b->first, b->second);
     for (i = 0; i < p->v.problem.n_loads; i++) {
         sketch_show(s, SKETCH_OFF, i);
+        sketch_with(s, body_of_pins(p, b->link));
         if (r->loads[i].link == b->link)
             figure_off(s, b->first, b->second,
                        geometry_of_link(&r->now.state, b->link, &r->loads[i].at));
     }
     draw_carried(s, p, r, b);
     sketch_show(s, SKETCH_CENTRE, (unsigned long)b->link);
+    sketch_with(s, body_of_pins(p, b->link));
     if (tracks_link(&p->v, b->link)->mass > 0) {
         figure_off(s, b->first, b->second, b->G);
+        sketch_with(s, b->link);
         sketch_centre(s, b->G, "G");
     }
     if (b->link > FOURLINK_FOLLOWER) {
@@ -498,22 +557,10 @@ static void put_torques(sketch *s, const picture *p, const picture_row *r, const
         double value = format_settled(f->sign * tracks_vector(&r->numbers, f->of).x, size);
 
         if (f->on == b->link && !f->load && (f->sort != SCENE_PIN || value != 0))
-            arrow_draw_torque(s, p, i, f->sort == SCENE_PIN ? PEN_FORCE : PEN_RESULT,
-                              scene_words(f, words, sizeof words),
-                              tracks_vector(&r->numbers, f->at), value);
+            arrow_draw_torque(
+                s, p, i, body_at(b, p, r, f->at), f->sort == SCENE_PIN ? PEN_FORCE : PEN_RESULT,
+                scene_words(f, words, sizeof words), tracks_vector(&r->numbers, f->at), value);
     }
-}
-
-/* 1 for a link that is no more than a block, which is as long as the crank here. */
-static int is_block(const picture *p, int link)
-{
-    const fourlink_group *g;
-
-    if (link <= FOURLINK_FOLLOWER)
-        return p->v.kind.shape[link] == FOURLINK_SHAPE_BLOCK;
-    g = &p->v.design->group[(link - FOURLINK_FOLLOWER - 1) / 2];
-    return link % 2 == 0 && g->end == FOURLINK_GROUP_SLIDES &&
-           g->hang != FOURLINK_HANGS_BY_OWN_SLOT;
 }
 
 /* In a motion a body turns about its middle, a lever about its pin. */
@@ -540,6 +587,7 @@ static void put_free_body(picture *p, const picture_row *r, const free_body *b,
 
     sketch_open(&s, &p->on, &p->v.units[QUANTITY_LENGTH], 1.4 * b->length);
     hold_body(&s, p, r, b);
+    sketch_body(&s, b->link, s.held, r->now.state.link[b->link].axis);
     s.letter = LETTER;
     if (is_block(p, b->link))
         s.block = HALF_BLOCK * b->length;

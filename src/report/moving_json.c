@@ -2,19 +2,25 @@
 **
 ** moving_json.c - drawings of a motion as JSON, for player.js.
 **
-** A panel has places, which items name by their numbers:
+** A panel has frames and places, by number:
 **
-**    [x, y]              fixed, in pixels
-**    ["...", "..."]      x and y of each step: see put_track
-**    [p, x, y]           x and y from place p
-**    [p, q, a, b, c]     from place p, a of the way to q and b further, c to its left
+**    frames [p]             upright at a place
+**           [p, -1, angle]  at a place, turned: of a body
+**           [p, q]          at a place, towards another one
+**           [p, q, 1]       so, with the way between them as the unit of x
+**    places [frame, x, y]   where they are in a frame, from 1 on, or on the sheet, 0
 **
-** and items:  "as" line, arrow, arc, disc, centre, text, label or path, its class "look", its places "at", and
-** its "name"; with "size" a radius or the length of a head, with "radius" those of an arc.  Of an arc the
-** second place is where it begins and how far it goes, in hundredths of a radian, of a text the way from
-** the place to its middle.  A label stands beside its first place, "size" from it and more, at first away
-** from its second.  A text is a list of words, [words, -1] a subscript and [words, 1] a
-** superscript.  "gone": steps [from, to, ...] at which the item is not there.
+** in pixels, to the right and down, and radians: a number, or a text with that of each step, see put_series.  A place
+** is in a frame before or on the sheet.
+**
+** Items name their places: "as" line, arrow, arc, disc, centre, text, label or path, its class "look", its places "at",
+** and its "name"; with "size" a radius or the length of a head, with "radius" those of an arc.  Of an arc the second place
+** is where it begins in the frame of its centre, and how far it goes, in hundredths of a radian, of a text the way from
+** the place to its middle.  A label stands beside its first place, "size" from it and more, at first away from its second.
+** A path "d" moves with the frame "in", if not with the sheet.  A text is a list of words, [words, -1] a subscript and
+** [words, 1] a superscript.  "gone": steps [from, to, ...] at which the item is not there.  "values" of an item are
+** decimals, a series in units of the last one, and words that follow, one behind the other; -n, "" and words are those of n
+** steps.
 */
 #include <math.h>
 #include <stdlib.h>
@@ -22,49 +28,72 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/number.h"
 #include "base/text.h"
 #include "system/memory.h"
-#include "drawing/follow.h"
+#include "drawing/motion.h"
 #include "drawing/svg.h"
 #include "interactive.h"
 #include "view/notation.h"
 
-#define PER_PIXEL 40 /* of numbers of a track */
-#define DIGITS 6     /* of a place */
+#define PER_PIXEL 40. /* of numbers of a series */
+#define PER_RADIAN 20000.
+#define DIGITS 6   /* of a place */
+#define NEAR 0.03  /* pixels: so far a place stays where it is */
+#define CLOSE 1e-6 /* the same, for lengths along a way */
 
 /* ---------------------------------------------------------------------------------------------- places */
 
-static void put_number(line *l, double x)
+/* In so many parts of its unit. */
+static void put_rounded(line *l, double x, double parts)
 {
-    line_number(l, floor(1000 * x + 0.5) / 1000, DIGITS);
+    line_number(l, floor(parts * x + 0.5) / parts, DIGITS);
 }
 
-static const char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789";
+static void put_number(line *l, double x)
+{
+    put_rounded(l, x, 1000);
+}
 
-/* One letter from -30 to 31; others as (-45). */
+static const char signs[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789"
+                            "!#$%'*+,-./:;=?@[]^_`{|}~ ";
+
+#define SIGNS \
+    88 /* of which the first 62 stand alone, the next 18 before one, and the others before two */
+
+/* One sign from -30 to 31, two from -792 to 791, three from -30976 to 30975; others as (-40000). */
 static void put_small(line *l, long n)
 {
-    if (n >= -30 && n <= 31) {
-        line_byte(l, letters[n + 30]);
+    if (n >= -30 && n < 32) {
+        line_byte(l, signs[n + 30]);
+    } else if (n >= -9 * SIGNS && n < 9 * SIGNS) {
+        line_byte(l, signs[62 + (n + 9 * SIGNS) / SIGNS]);
+        line_byte(l, signs[(n + 9 * SIGNS) % SIGNS]);
+    } else if (n >= -4 * SIGNS * SIGNS && n < 4 * SIGNS * SIGNS) {
+        n += 4 * SIGNS * SIGNS;
+        line_byte(l, signs[80 + n / SIGNS / SIGNS]);
+        line_byte(l, signs[n / SIGNS % SIGNS]);
+        line_byte(l, signs[n % SIGNS]);
     } else {
         line_put(l, n < 0 ? "(-" : "(");
         line_put(l, "%lu)", (unsigned long)labs(n));
     }
 }
 
-/* Write a coordinate of a track, in fortieths of a pixel: the first, and how each differs from where the
-** two before lead to.  Where the track is not there, it stands still. */
-static void put_track(line *l, const motion *m, size_t number, int is_y)
+/* Write numbers, in so many parts of their unit: the first, and how each differs from where the two before lead to.  One that
+** is not there stands still. */
+static void put_series(line *l, const double *x, size_t n, double parts)
 {
     long here, last = 0, before = 0;
-    size_t i;
+    size_t i, first = 0;
 
+    while (first + 1 < n && gsl_isnan(x[first]))
+        first++;
     line_byte(l, '"');
-    for (i = 0; i < m->n_steps; i++) {
-        const fourlink_vector *at = &m->tracks[number * m->n_steps + i];
-        double x = is_y ? at->y : at->x;
+    for (i = 0; i < n; i++) {
+        double now = i ? x[i] : x[first];
 
-        here = gsl_isnan(x) ? last : (long)floor(PER_PIXEL * x + 0.5);
+        here = gsl_isnan(now) ? last : (long)floor(parts * now + 0.5);
         put_small(l, here - (2 * last - before));
         before = i ? last : here;
         last = here;
@@ -72,26 +101,233 @@ static void put_track(line *l, const motion *m, size_t number, int is_y)
     line_byte(l, '"');
 }
 
-static void put_place(line *l, const follow *f, const follow_place *x)
+/* Write the numbers, or the first one if they are all the same but for so much. */
+static void put_numbers(line *l, const double *x, size_t n, double parts, double near)
 {
-    int n = x->sort == FOLLOW_ALONG ? 3 : 2, i;
+    double first = GSL_NAN;
+    size_t i;
+    int varies = 0;
 
-    line_put(l, "[");
-    if (x->sort == FOLLOW_OWN) {
-        put_track(l, f->m, x->track, 0);
-        line_put(l, ",");
-        put_track(l, f->m, x->track, 1);
-    } else {
-        if (x->sort != FOLLOW_FIXED)
-            line_put(l, "%lu,", (unsigned long)x->of[0]);
-        if (x->sort == FOLLOW_ALONG)
-            line_put(l, "%lu,", (unsigned long)x->of[1]);
-        for (i = 0; i < n; i++) {
-            line_put(l, i ? "," : "");
-            put_number(l, x->by[i]);
+    for (i = 0; i < n; i++) {
+        first = gsl_isnan(first) ? x[i] : first;
+        varies |= fabs(x[i] - first) > near;
+    }
+    if (varies)
+        put_series(l, x, n, parts);
+    else
+        put_rounded(l, first, 1 / CLOSE);
+}
+
+/* -------------------------------------------------------------------------------------------- places */
+
+/* A number in the frame that holds it. */
+typedef struct seen {
+    size_t frame;          /* an item; the number of items: the sheet */
+    fourlink_vector *at;   /* by step */
+    fourlink_vector first; /* of them that is there */
+    int stays;             /* 1: it is always there */
+} seen;
+
+/* The places and frames that items have named so far, by the numbers of tracks and of items. */
+typedef struct places {
+    const motion *m;
+    seen *tracks;
+    fourlink_vector *all; /* room for that of the tracks */
+    size_t *list, n, *frames, n_frames;
+    double *numbers; /* room for those of a series */
+} places;
+
+/* Find where a number is in a frame; returns 0 if it is somewhere when the frame is not, or moves along a way. */
+static int see(const places *f, size_t number, size_t frame)
+{
+    const motion *m = f->m;
+    seen *x = &f->tracks[number];
+    double near = frame < m->n_items && m->items[frame].like.size > 0 ? CLOSE : NEAR;
+    size_t i;
+
+    x->frame = frame;
+    x->stays = 1;
+    x->first = place_at(GSL_NAN, GSL_NAN);
+    x->at = f->all + number * m->n_steps;
+    for (i = 0; i < m->n_steps; i++) {
+        x->at[i] = motion_seen(m, frame, number, i);
+        if (gsl_isnan(x->at[i].x) && !gsl_isnan(m->tracks[number * m->n_steps + i].x))
+            return 0;
+        x->first = gsl_isnan(x->first.x) ? x->at[i] : x->first;
+        x->stays &= gsl_isnan(x->at[i].x) ||
+                    (fabs(x->at[i].x - x->first.x) < near && fabs(x->at[i].y - x->first.y) < NEAR);
+    }
+    return x->stays || near == NEAR;
+}
+
+/* An angle without jumps, by that before. */
+static double unwound(double x, double before, double turn)
+{
+    return gsl_isnan(before) ? x : x + turn * floor((before - x) / turn + 0.5);
+}
+
+/* Where an arc begins, in the frame of its centre. */
+static void see_turns(const places *f, size_t number)
+{
+    seen *x = &f->tracks[number];
+    fourlink_vector *at = x->at;
+    double before = GSL_NAN;
+    size_t i;
+
+    x->stays = 0;
+    x->first.x = GSL_NAN;
+    for (i = 0; i < f->m->n_steps; i++) {
+        at[i].x += 100 * motion_angle(f->m, f->tracks[number - 1].frame, i);
+        at[i].x = unwound(at[i].x, before, 200 * M_PI);
+        before = gsl_isnan(at[i].x) ? before : at[i].x;
+        x->first = gsl_isnan(x->first.x) ? at[i] : x->first;
+    }
+}
+
+static void places_close(places *f)
+{
+    free(f->tracks);
+    free(f->all);
+    free(f->list);
+    free(f->frames);
+    free(f->numbers);
+}
+
+/* Close it whatever came of it. */
+static void places_open(places *f, const motion *m)
+{
+    size_t i, k;
+
+    memset(f, 0, sizeof *f);
+    f->m = m;
+    f->tracks = memory_get(m->n_tracks + 1, sizeof *f->tracks);
+    f->all = memory_get(m->n_tracks * m->n_steps + 1, sizeof *f->all);
+    f->list = memory_get(m->n_tracks + 1, sizeof *f->list);
+    f->frames = memory_get(m->n_items + 1, sizeof *f->frames);
+    f->numbers = memory_get(m->n_steps, sizeof *f->numbers);
+    for (i = 0; i < m->n_items && !memory_has_failed(); i++) {
+        const motion_item *x = &m->items[i];
+        int is_arc = x->like.sort == DISPLAY_ARC;
+
+        for (k = x->first; x->like.sort != DISPLAY_CURVE && k < x->first + x->n; k++)
+            if ((is_arc && k > x->first) || !see(f, k, motion_frame_of(m, k)))
+                see(f, k, m->n_items);
+        if (is_arc)
+            see_turns(f, x->first + 1);
+    }
+}
+
+static int is_near(fourlink_vector p, fourlink_vector q)
+{
+    return gsl_isnan(p.x) ? gsl_isnan(q.x) : fabs(p.x - q.x) < CLOSE && fabs(p.y - q.y) < CLOSE;
+}
+
+/* 1 if two tracks are one place. */
+static int is_one(const places *f, const seen *x, const seen *y)
+{
+    size_t i;
+
+    if (x->frame != y->frame || x->stays != y->stays || !is_near(x->first, y->first))
+        return 0;
+    for (i = 0; i < f->m->n_steps && !x->stays; i++)
+        if (!is_near(x->at[i], y->at[i]))
+            return 0;
+    return 1;
+}
+
+static size_t number_of_frame(places *f, size_t frame);
+
+/* The number of a place, which may be new. */
+static size_t number_of(places *f, size_t number)
+{
+    size_t k;
+
+    for (k = 0; k < f->n; k++)
+        if (is_one(f, &f->tracks[f->list[k]], &f->tracks[number]))
+            return k;
+    number_of_frame(f, f->tracks[number].frame);
+    f->list[f->n] = number;
+    return f->n++;
+}
+
+/* 1 for the frame of a body, which has its second place itself. */
+static int is_body(const places *f, size_t frame)
+{
+    const motion_item *x = &f->m->items[frame];
+
+    return x->n > 1 && f->m->holds[x->first + 1] == x->like.key;
+}
+
+/* The number of a frame, behind those of its places. */
+static size_t number_of_frame(places *f, size_t frame)
+{
+    const motion_item *x = &f->m->items[frame];
+    size_t k;
+
+    if (frame == f->m->n_items)
+        return 0;
+    for (k = 0; k < f->n_frames; k++)
+        if (f->frames[k] == frame)
+            return k + 1;
+    number_of(f, x->first);
+    if (x->n > 1 && !is_body(f, frame))
+        number_of(f, x->first + 1);
+    f->frames[f->n_frames] = frame;
+    return ++f->n_frames;
+}
+
+static void put_frame(line *l, places *f, size_t frame)
+{
+    const motion_item *x = &f->m->items[frame];
+    double before = GSL_NAN;
+    size_t i;
+
+    line_put(l, "[%lu", (unsigned long)number_of(f, x->first));
+    if (is_body(f, frame)) {
+        for (i = 0; i < f->m->n_steps; i++) {
+            f->numbers[i] = unwound(motion_angle(f->m, frame, i), before, 2 * M_PI);
+            before = gsl_isnan(f->numbers[i]) ? before : f->numbers[i];
         }
+        line_put(l, ",-1,");
+        put_numbers(l, f->numbers, f->m->n_steps, PER_RADIAN, 0.5 / PER_RADIAN);
+    } else if (x->n > 1) {
+        line_put(l, ",%lu", (unsigned long)number_of(f, x->first + 1));
+        line_put(l, x->like.size > 0 ? ",1" : "");
     }
     line_put(l, "]");
+}
+
+static void put_place(line *l, places *f, size_t number)
+{
+    const seen *x = &f->tracks[number];
+    size_t i;
+    int k;
+
+    line_put(l, "[%lu", (unsigned long)number_of_frame(f, x->frame));
+    for (k = 0; k < 2; k++) {
+        for (i = 0; i < f->m->n_steps; i++)
+            f->numbers[i] = k ? x->at[i].y : x->at[i].x;
+        line_put(l, ",");
+        put_numbers(l, f->numbers, f->m->n_steps, PER_PIXEL, NEAR);
+    }
+    line_put(l, "]");
+}
+
+static void put_places_and_frames(line *l, places *f)
+{
+    size_t k;
+
+    line_put(l, "\"frames\":[");
+    for (k = 0; k < f->n_frames; k++) {
+        line_put(l, k ? ",\n" : "\n");
+        put_frame(l, f, f->frames[k]);
+    }
+    line_put(l, "],\n\"places\":[");
+    for (k = 0; k < f->n; k++) {
+        line_put(l, k ? ",\n" : "\n");
+        put_place(l, f, f->list[k]);
+    }
+    line_put(l, "],\n");
 }
 
 /* ----------------------------------------------------------------------------------------------- texts */
@@ -118,49 +354,101 @@ static void put_words(line *l, const char *words)
     line_put(l, "]");
 }
 
-/* Write the values of an item by step, with | between them, and their units unless they are all the same; an
-** empty one is that of the step before. */
-static void put_values(line *l, const motion *m, size_t item)
+/* What an item shows at a step: a number with so many decimals, 0 if it is none, and what stands behind it, its exponent and
+** unit. */
+typedef struct shown {
+    int is_there, is_number, decimals;
+    double x;
+    char end[DISPLAY_WORDS];
+} shown;
+
+static void take_value(const motion *m, size_t item, size_t step, shown *v)
 {
-    const char *value, *end;
-    motion_value last = {MOTION_NONE, MOTION_NONE};
-    size_t i;
+    const motion_value *at = motion_value_at(m, item, step);
+    const char *words = display_words(&m->kept, at->value);
+    text rest = flk_text_of(words);
+    size_t point = strcspn(words, "."), n = strcspn(words, "e");
 
-    line_byte(l, '"');
-    for (i = 0; i < m->n_steps; i++) {
-        const motion_value *x = motion_value_at(m, item, i);
-
-        line_put(l, i ? "|" : "");
-        if (!motion_has(m, item, i))
-            continue;
-        if (x->value != last.value || x->unit != last.unit) {
-            value = display_words(&m->kept, x->value);
-            end = m->items[item].unit_varies ? display_words(&m->kept, x->unit) : "";
-            line_put(l, *value == '-' ? NOTATION_MINUS : "");
-            line_text(l, value + (*value == '-'), strlen(value) - (*value == '-'));
-            line_text(l, end, strlen(end));
-        }
-        last = *x;
-    }
-    line_byte(l, '"');
+    v->is_there = motion_has(m, item, step);
+    v->x = GSL_NAN;
+    v->decimals = 0;
+    v->end[0] = '\0';
+    if (!v->is_there)
+        return;
+    rest.length = n;
+    v->is_number = flk_number_read(&rest, &v->x) == NUMBER_OK && rest.length == 0 &&
+                   !(v->x == 0 && *words == '-');
+    v->decimals = v->is_number && point < n ? (int)(n - point) - 1 : 0;
+    flk_text_join(v->end, sizeof v->end, v->is_number ? words + n : words,
+                  display_words(&m->kept, at->unit), (char *)NULL);
 }
 
-/* Write the words of an item, or of one whose value changes, the words before it and its unit. */
-static void put_all_words(line *l, const motion *m, size_t item)
+#define LARGEST 2e5 /* in units of the last decimal: 5 digits, and some more */
+
+/* Take values of steps behind each other that one number of decimals and one end serve; returns their number, and what
+** they have in common in `all`. */
+static size_t take_values(const places *f, size_t item, size_t from, shown *all)
 {
+    double most = 0, size;
+    shown next;
+    size_t n;
+
+    take_value(f->m, item, from, all);
+    for (n = 0; from + n < f->m->n_steps; n++) {
+        take_value(f->m, item, from + n, &next);
+        f->numbers[n] = next.x;
+        if (!next.is_there)
+            continue;
+        if (!all->is_there)
+            *all = next;
+        size = next.is_number ? GSL_MAX_DBL(most, fabs(next.x)) : 0;
+        next.decimals = GSL_MAX(next.decimals, all->decimals);
+        if (next.is_number != all->is_number || strcmp(next.end, all->end) != 0 ||
+            (n && size * gsl_pow_int(10, next.decimals) >= LARGEST))
+            break;
+        most = size;
+        all->decimals = next.decimals;
+    }
+    return n;
+}
+
+/* Write the values of an item by step. */
+static void put_values(line *l, const places *f, size_t item)
+{
+    size_t from, n;
+    shown all;
+
+    line_put(l, "[");
+    for (from = 0; from < f->m->n_steps; from += n) {
+        n = take_values(f, item, from, &all);
+        line_put(l, from ? "," : "");
+        if (all.is_there && !all.is_number) {
+            line_put(l, "-%lu,\"\",", (unsigned long)n);
+        } else {
+            line_put(l, "%lu,", (unsigned long)all.decimals);
+            put_series(l, f->numbers, n, gsl_pow_int(10, all.decimals));
+            line_put(l, ",");
+        }
+        put_words(l, all.end);
+    }
+    line_put(l, "]");
+}
+
+/* Write the words of an item, or of one whose value changes, the words before it. */
+static void put_all_words(line *l, const places *f, size_t item)
+{
+    const motion *m = f->m;
     const motion_item *x = &m->items[item];
     char all[DISPLAY_WORDS];
+    int varies = x->varies || x->unit_varies;
 
     line_put(l, "\"words\":");
-    if (!x->varies && !x->unit_varies) {
-        put_words(l, display_text_of(&m->kept, &x->like, all));
-        return;
+    put_words(l, varies ? display_words(&m->kept, x->like.words)
+                        : display_text_of(&m->kept, &x->like, all));
+    if (varies) {
+        line_put(l, ",\"values\":");
+        put_values(l, f, item);
     }
-    put_words(l, display_words(&m->kept, x->like.words));
-    line_put(l, ",\"values\":");
-    put_values(l, m, item);
-    line_put(l, ",\"unit\":");
-    put_words(l, x->unit_varies ? "" : display_words(&m->kept, x->like.unit));
 }
 
 /* ----------------------------------------------------------------------------------------------- items */
@@ -182,27 +470,30 @@ static void put_gone(line *l, const motion *m, size_t item)
     line_put(l, n ? "]" : "");
 }
 
-/* 1 for a line that stands still: it is a part of a path. */
-static int is_still(const follow *f, size_t item)
+/* 1 for a line that stays in its frame: it is a part of a path. */
+static int is_still(const places *f, const motion_item *x)
 {
-    const motion_item *x = &f->m->items[item];
-    size_t i;
+    const seen *at = &f->tracks[x->first];
 
-    for (i = 0; i < x->n; i++)
-        if (x->like.sort != DISPLAY_LINE || f->list[f->number[x->first + i]].sort != FOLLOW_FIXED)
-            return 0;
-    for (i = 0; i < f->m->n_steps; i++)
-        if (!motion_has(f->m, item, i))
-            return 0;
-    return 1;
+    return x->like.sort == DISPLAY_LINE && at[0].stays && at[1].stays && at[0].frame == at[1].frame;
 }
 
-static void put_point(line *l, char before, fourlink_vector at)
+/* 1 if two items are there at the same steps. */
+static int are_together(const motion *m, size_t item, size_t other)
+{
+    size_t i = 0;
+
+    while (i < m->n_steps && motion_has(m, item, i) == motion_has(m, other, i))
+        i++;
+    return i == m->n_steps;
+}
+
+static void put_point(line *l, char before, fourlink_vector at, double parts)
 {
     line_byte(l, before);
-    put_number(l, at.x);
+    put_rounded(l, at.x, parts);
     line_byte(l, ',');
-    put_number(l, at.y);
+    put_rounded(l, at.y, parts);
 }
 
 static void put_curve(line *l, const motion *m, const motion_item *x)
@@ -214,39 +505,49 @@ static void put_curve(line *l, const motion *m, const motion_item *x)
         for (n = 0; from + n < x->n && !gsl_isnan(at[from + n].x); n++)
             ;
         for (i = 0; i < n; i = display_next_bend(at + from, i, n))
-            put_point(l, i ? 'L' : 'M', at[from + i]);
+            put_point(l, i ? 'L' : 'M', at[from + i], 100);
     }
 }
 
-/* Write a curve, or lines that stand still as one path, as far as they follow each other with one look;
-** returns the last of them. */
-static size_t put_path(line *l, const follow *f, size_t item)
+/* Write a curve, or lines that stay in one frame as one path, as far as they follow each other with one look; returns the
+** last of them. */
+static size_t put_path(line *l, places *f, size_t item)
 {
     const motion_item *x = &f->m->items[item], *y = x;
-    size_t i;
+    size_t frame = f->m->n_items, last = item, i;
+    int is_way;
 
+    if (x->like.sort != DISPLAY_CURVE)
+        frame = f->tracks[x->first].frame;
+    is_way = frame < f->m->n_items && f->m->items[frame].like.size > 0;
     line_put(l, ",\"d\":\"");
     if (x->like.sort == DISPLAY_CURVE)
         put_curve(l, f->m, x);
     for (; x->like.sort != DISPLAY_CURVE && item < f->m->n_items; item++) {
         y = &f->m->items[item];
-        if (y->like.pen != x->like.pen || y->like.layer != x->like.layer || !is_still(f, item))
+        if (y->like.layer != x->like.layer || y->like.sort == DISPLAY_FRAME)
+            continue;
+        if (y->like.pen != x->like.pen || !is_still(f, y) || y->like.name != x->like.name ||
+            f->tracks[y->first].frame != frame || !are_together(f->m, last, item))
             break;
+        last = item;
         for (i = 0; i < y->n; i++)
-            put_point(l, i ? 'L' : 'M', follow_at(f, f->number[y->first + i], 0));
+            put_point(l, i ? 'L' : 'M', f->tracks[y->first + i].first, is_way ? 1 / CLOSE : 1000);
     }
     line_put(l, "\"");
-    return x->like.sort == DISPLAY_CURVE ? item : item - 1;
+    if (frame < f->m->n_items)
+        line_put(l, ",\"in\":%lu", (unsigned long)number_of_frame(f, frame));
+    return last;
 }
 
-static void put_places(line *l, const follow *f, const motion_item *x)
+static void put_places(line *l, places *f, const motion_item *x)
 {
     size_t i;
 
     line_put(l, ",\"at\":[");
     for (i = 0; i < x->n; i++) {
         line_put(l, i ? "," : "");
-        line_put(l, "%lu", (unsigned long)f->number[x->first + i]);
+        line_put(l, "%lu", (unsigned long)number_of(f, x->first + i));
     }
     line_put(l, "]");
 }
@@ -260,12 +561,12 @@ static void put_size(line *l, double size)
 }
 
 /* Write an item; returns the last one that has been written. */
-static size_t put_item(line *l, const follow *f, size_t item)
+static size_t put_item(line *l, places *f, size_t item)
 {
     static const char *const sorts[] = {"line", "arrow", "arc",    "path", "path",
                                         "path", "disc",  "centre", "disc", "text"};
     const motion_item *x = &f->m->items[item];
-    int is_path = x->like.sort == DISPLAY_CURVE || is_still(f, item);
+    int is_path = x->like.sort == DISPLAY_CURVE || is_still(f, x);
     char class_name[30];
 
     interactive_put(l, "{\"as\":%q,\"look\":%q",
@@ -276,6 +577,7 @@ static size_t put_item(line *l, const follow *f, size_t item)
     if (x->like.name)
         interactive_put(l, ",\"name\":%q", display_words(&f->m->kept, x->like.name));
     if (is_path) {
+        put_gone(l, f->m, item);
         item = put_path(l, f, item);
         line_put(l, "}");
         return item;
@@ -292,7 +594,7 @@ static size_t put_item(line *l, const follow *f, size_t item)
         line_put(l, ",");
         if (x->like.align != DISPLAY_MIDDLE)
             line_put(l, "\"anchor\":\"%s\",", x->like.align == DISPLAY_LEFT ? "start" : "end");
-        put_all_words(l, f->m, item);
+        put_all_words(l, f, item);
     } else {
         put_size(l, x->like.size);
     }
@@ -301,7 +603,7 @@ static size_t put_item(line *l, const follow *f, size_t item)
     return item;
 }
 
-static void put_items(line *l, const follow *f)
+static void put_items(line *l, places *f)
 {
     size_t i;
     int layer, n = 0;
@@ -310,7 +612,8 @@ static void put_items(line *l, const follow *f)
     for (layer = 0; layer < DISPLAY_LAYERS; layer++)
         for (i = 0; i < f->m->n_items; i++)
             if (f->m->items[i].like.layer == layer && f->m->items[i].like.part != DISPLAY_KEY &&
-                f->m->items[i].like.part != DISPLAY_NOTE) {
+                f->m->items[i].like.part != DISPLAY_NOTE &&
+                f->m->items[i].like.sort != DISPLAY_FRAME) {
                 interactive_put_comma(l, &n);
                 i = put_item(l, f, i);
             }
@@ -318,8 +621,9 @@ static void put_items(line *l, const follow *f)
 }
 
 /* The key: a look and its words.  A sample stands before its words. */
-static void put_key(line *l, const motion *m)
+static void put_key(line *l, places *f)
 {
+    const motion *m = f->m;
     char own[30];
     const char *class_name = "";
     size_t i;
@@ -337,14 +641,15 @@ static void put_key(line *l, const motion *m)
         }
         interactive_put_comma(l, &n);
         interactive_put(l, "{\"look\":%q,", class_name);
-        put_all_words(l, m, i);
+        put_all_words(l, f, i);
         line_put(l, "}");
     }
     line_put(l, "],\n");
 }
 
-static void put_notes(line *l, const motion *m)
+static void put_notes(line *l, places *f)
 {
+    const motion *m = f->m;
     size_t i;
     int n = 0;
 
@@ -353,7 +658,7 @@ static void put_notes(line *l, const motion *m)
         if (m->items[i].like.part == DISPLAY_NOTE) {
             interactive_put_comma(l, &n);
             line_put(l, "{");
-            put_all_words(l, m, i);
+            put_all_words(l, f, i);
             put_gone(l, m, i);
             line_put(l, "}");
         }
@@ -383,26 +688,21 @@ int moving_json_put(line *l, const moving_panel *p)
 {
     static const char *const sizes[] = {"whole", "half", "third"};
     const place_box *box = &p->box, *axes = &p->axes;
-    follow f;
-    size_t i;
+    places f;
 
-    follow_open(&f, &p->list);
+    places_open(&f, &p->list);
     if (!memory_has_failed()) {
         interactive_put(l, "{\"title\":%q,\"size\":%q,", p->title, sizes[p->size]);
         put_box(l, "sheet", 0, 0, p->width, p->height);
         put_box(l, "box", box->x_min, box->y_min, box->x_max - box->x_min, box->y_max - box->y_min);
         put_box(l, "axes", axes->x_min, axes->x_max, axes->y_min, axes->y_max);
-        line_put(l, "\n\"places\":[");
-        for (i = 0; i < f.n; i++) {
-            line_put(l, i ? ",\n" : "\n");
-            put_place(l, &f, &f.list[i]);
-        }
-        line_put(l, "],\n");
+        line_put(l, "\n");
         put_items(l, &f);
-        put_key(l, &p->list);
-        put_notes(l, &p->list);
+        put_places_and_frames(l, &f);
+        put_key(l, &f);
+        put_notes(l, &f);
         line_put(l, "}");
     }
-    follow_close(&f);
+    places_close(&f);
     return !memory_has_failed();
 }

@@ -9,53 +9,60 @@
 fourlink.draw = (function () {
 
 const {html, svg, withUnit, stepText, cellText, htmlLabel} = fourlink;
-const LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789", PER_PIXEL = 40;
+const SIGNS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789!#$%'*+,-./:;=?@[]^_`{|}~ ";
+const PER_PIXEL = 40, PER_RADIAN = 20000; /* as in moving_json.c */
 const HALF_WIDE = 0.32, HEAD = 0.025, LEAST_HEAD = 14, BLUR = 0.7, SHORTER = 0.8, BASELINE = 5, LOWER = 4, HIGHER = 6, ARC_STEP = 0.1037, LINE = 18; /* as in svg.c, canvas.c and display.h */
 const MOST_ZOOM = 12, DIAMETERS = 8; /* of a disc */
-const smallOf = new Map([...LETTERS].map((letter, k) => [letter, k - 30]));
+const indexOf = new Map([...SIGNS].map((sign, k) => [sign, k])), MANY = SIGNS.length;
 
 /* ---------------------------------------------------------------------------------------------------- places */
 
-/* The numbers of a track: each differs by so much from where the two before lead to. */
-function numbersOf(words) {
+/* The numbers of a series: each differs by so much from where the two before lead to.  A number stays one. */
+function numbersOf(words, parts) {
     const list = [];
+    if (typeof words === "number")
+        return words;
     for (let k = 0, last = 0, before = 0; k < words.length; k++) {
-        let small = smallOf.get(words[k]);
+        let small = indexOf.get(words[k]);
         if (small === undefined) {
             const end = words.indexOf(")", k);
             small = Number(words.slice(k + 1, end));
             k = end;
+        } else if (small < 62) {
+            small -= 30;
+        } else {
+            const isLong = small >= 80, most = isLong ? 4 * MANY * MANY : 9 * MANY;
+            small = MANY * (small - (isLong ? 80 : 62)) + indexOf.get(words[++k]);
+            small = (isLong ? MANY * small + indexOf.get(words[++k]) : small) - most;
         }
         const here = small + 2 * last - before;
         before = list.length ? last : here;
         last = here;
-        list.push(here / PER_PIXEL);
+        list.push(here / parts);
     }
     return list;
 }
 
-/* Where all places of a panel are at step i and a part of the way to the next. */
-function placesAt(tracks, i, part) {
-    const list = [], at = (track) => part ? track[i] + part * (track[i + 1] - track[i]) : track[i];
-    for (const [p, q, a, b, c] of tracks) {
-        if (typeof p === "object") {
-            list.push([at(p), at(q)]);
-        } else if (a === undefined) {
-            list.push([p, q]);
-        } else if (b === undefined) {
-            list.push([list[p][0] + q, list[p][1] + a]);
-        } else {
-            const from = list[p], way = [list[q][0] - from[0], list[q][1] - from[1]], length = Math.hypot(...way) || 1;
-            const along = a + b / length, left = c / length;
-            list.push([from[0] + along * way[0] - left * way[1], from[1] + along * way[1] + left * way[0]]);
-        }
+const inFrame = ({x, y, c, s, unit}, [p, q]) => [x + p * unit * c - q * s, y + p * unit * s + q * c];
+
+/* Where the frames of a panel are at step i and a part of the way to the next, the sheet before them, and the places in them,
+** with the angles of their frames. */
+function sceneryAt({frames, places}, i, part) {
+    const all = [{x: 0, y: 0, c: 1, s: 0, unit: 1, angle: 0}];
+    const at = (x) => typeof x === "number" ? x : part ? x[i] + part * (x[i + 1] - x[i]) : x[i];
+    const placeOf = ([f, p, q]) => [...inFrame(all[f], [at(p), at(q)]), all[f].angle];
+    for (const [p, q, own] of frames) {
+        const [x, y] = placeOf(places[p]), to = q >= 0 ? placeOf(places[q]) : [x, y];
+        const angle = q === -1 ? at(own) : Math.atan2(to[1] - y, to[0] - x);
+        all.push({x, y, c: Math.cos(angle), s: Math.sin(angle), unit: q >= 0 && own ? Math.hypot(to[0] - x, to[1] - y) : 1, angle});
     }
-    return list;
+    return {frames: all, places: places.map(placeOf)};
 }
 
 /* ----------------------------------------------------------------------------------------------------- items */
 
-const digits = (x) => Math.round(x * 100) / 100;
+const digits = (x, unit = 100) => Math.round(x * unit) / unit;
+const piecesOf = (d) => d.split("M").slice(1).map((piece) => piece.split("L").map((at) => at.split(",").map(Number)));
 const wayOf = (places) => places.map((p, k) => (k ? "L" : "M") + digits(p[0]) + "," + digits(p[1])).join("");
 
 /* Words with their subscripts and superscripts, as tspans. */
@@ -73,11 +80,11 @@ function htmlWords(words) {
     return words.map((part) => typeof part === "string" ? part : html(part[1] < 0 ? "sub" : "sup", {}, part[0]));
 }
 
-/* The words of an item that change: of step i. */
-function valuesOf(item) {
-    let last = "";
-    const list = item.values && item.values.split("|").map((words) => last = words || last);
-    return (i) => list ? [list[i]] : [];
+/* The words of an item that change: of step i, with their unit. */
+function valuesOf({values = []}) {
+    const list = values.flatMap((decimals, k) => k % 3 ? [] : decimals < 0 ? Array(-decimals).fill(values[k + 2]) :
+        numbersOf(values[k + 1], 10 ** decimals).map((x) => [String(x).replace("-", "−"), ...values[k + 2]]));
+    return (i) => list[i] || [];
 }
 
 /* Of an arrow, its line and its head, by their corners. */
@@ -98,7 +105,7 @@ function arrowWays(places, most) {
 
 /* The corners of an arc or a spiral. */
 function arcOf([centre, turns], [first, last]) {
-    const [from, span] = turns.map((x) => x / 100), count = 8 + Math.floor(Math.abs(span) / ARC_STEP);
+    const from = turns[0] / 100 - centre[2], span = turns[1] / 100, count = 8 + Math.floor(Math.abs(span) / ARC_STEP);
     return Array.from({length: count + 1}, (_, k) => {
         const radius = first + k / count * (last - first), angle = from + k / count * span;
         return [centre[0] + radius * Math.cos(angle), centre[1] - radius * Math.sin(angle)];
@@ -111,7 +118,15 @@ const quarters = ([x, y], r) => [1, -1].map((s) => wayOf([[x, y], [x + s * r, y]
 /* What is drawn for an item, and how its elements are set from its places: {elements, set}.  A text is not scaled: it is
 ** set with the scale and the shift of the sheet. */
 const makers = {
-    path: (item, kind) => ({elements: [svg("path", {...kind, d: item.d})], set() {}}),
+    path: (item, kind) => {
+        const way = svg("path", {...kind, d: item.d}), pieces = piecesOf(item.d);
+        return {elements: [way], pieces, set(places, i, of, at, frame) {
+            if (frame.unit !== 1)
+                way.setAttribute("d", pieces.map((piece) => wayOf(piece.map((p) => inFrame(frame, p)))).join(""));
+            else if (item.in)
+                way.setAttribute("transform", "translate(" + digits(frame.x) + "," + digits(frame.y) + ") rotate(" + digits(frame.angle * 180 / Math.PI, 1e4) + ")");
+        }};
+    },
     line: (item, kind) => {
         const way = svg("path", kind);
         return {elements: [way], set: (places) => way.setAttribute("d", wayOf(places))};
@@ -144,7 +159,7 @@ const makers = {
             made.setAttribute("x", digits(scale * at[0] + shift[0] + off[0]));
             made.setAttribute("y", digits(scale * at[1] + shift[1] + off[1] + BASELINE));
             if (item.values)
-                made.replaceChildren(...svgWords([...item.words, ...values(i), ...item.unit]));
+                made.replaceChildren(...svgWords([...item.words, ...values(i)]));
         }};
     }
 };
@@ -156,7 +171,7 @@ const isGone = (item, i) => item.gone !== undefined && item.gone.filter((step) =
 /* Add the lines between corners to a list, each [x, y, x, y, half its width]. */
 function addLines(list, corners, half) {
     for (let k = 1; k < corners.length; k++)
-        list.push([...corners[k - 1], ...corners[k], half]);
+        list.push([...corners[k - 1].slice(0, 2), ...corners[k].slice(0, 2), half]);
 }
 
 /* Half the width of a line, and a bit for what is smoothed. */
@@ -170,11 +185,11 @@ function halfOf(element) {
     return halves.get(look);
 }
 
-/* The lines of a path. */
-function linesOfPath(d, half) {
+/* The lines of a path in a frame. */
+function linesOfPath(pieces, half, frame) {
     const list = [];
-    for (const piece of d.split("M"))
-        addLines(list, piece.split("L").map((at) => at.split(",").map(Number)), half);
+    for (const piece of pieces)
+        addLines(list, piece.map((p) => inFrame(frame, p)), half);
     return list;
 }
 
@@ -212,14 +227,15 @@ function makePanel(title, size) {
     const drawing = svg("svg", {class: "fourlink sheet", role: "img"}, ink, texts, handle);
     const caption = html("span", {}, title), key = html("p", {class: "key"}), list = html("ul", {class: "values"});
     const figure = html("figure", {class: "panel " + size}, drawing, html("figcaption", {}, caption), key, list);
-    let data = null, tracks = [], parts = [], notes = [], now = 0, cranks = null, scale = 1, zoom = 1, shift = [0, 0];
+    let data = null, scenery = null, parts = [], notes = [], now = 0, cranks = null, scale = 1, zoom = 1, shift = [0, 0];
     let labels = null, named = [], scenes = new Map(), frame = null, count = 1;
 
     /* Take the drawing of a branch, of so many steps. */
     function take(newData, steps) {
         data = newData;
         cranks = null;
-        tracks = data.places.map((place) => typeof place[0] === "string" ? place.map(numbersOf) : place);
+        scenery = {places: data.places.map(([f, p, q]) => [f, numbersOf(p, PER_PIXEL), numbersOf(q, PER_PIXEL)]),
+                   frames: data.frames.map(([p, q, own]) => [p, q, typeof own === "string" ? numbersOf(own, PER_RADIAN) : own])};
         count = steps;
         parts = data.items.map((item) => ({item, ...makers[item.as](item, {class: item.look || null, "data-name": item.name || null})}));
         ink.replaceChildren(...parts.filter((part) => !part.isText).flatMap((part) => part.elements));
@@ -245,7 +261,7 @@ function makePanel(title, size) {
         drawing.style.aspectRatio = width / height;
         drawing.setAttribute("data-box", data.box.map((x, k) => x * scale + (shift[k] || 0)).join(" "));
         drawing.setAttribute("data-axes", data.axes.join(" "));
-        ink.setAttribute("transform", "translate(" + shift.map(digits) + ") scale(" + scale + ")");
+        ink.setAttribute("transform", "translate(" + shift.map((x) => digits(x)) + ") scale(" + scale + ")");
         frame = {left: (1 - shift[0]) / scale, top: (1 - shift[1]) / scale, right: (width - 1 - shift[0]) / scale,
                  bottom: (height - 1 - shift[1]) / scale, pixel: 1 / scale, reach: 4 * HALF_WIDE * headOf(HEAD * data.sheet[2], scale)};
         scenes.clear();
@@ -254,13 +270,13 @@ function makePanel(title, size) {
     }
     /* What labels are not to cover at a step, and where their places are. */
     function sceneAt(i, part) {
-        const places = placesAt(tracks, i, part), lines = [], curves = [], texts = [];
+        const {places, frames} = sceneryAt(scenery, i, part), lines = [], curves = [], texts = [];
         for (const part of parts) {
             const {item, elements: [made]} = part;
             if (isGone(item, i))
                 continue;
             if (item.as === "path") {
-                part.lines = part.lines || linesOfPath(item.d, halfOf(made) / scale);
+                part.lines = !item.in && part.lines || linesOfPath(part.pieces, halfOf(made) / scale, frames[item.in || 0]);
                 (item.name && item.name !== "scale" ? curves : lines).push(...part.lines);
             } else if (item.as !== "text") {
                 addItem(lines, part, places, scale);
@@ -310,7 +326,7 @@ function makePanel(title, size) {
     }
     /* Show step i and a part of the way to the next. */
     function show(i, part, name) {
-        const places = placesAt(tracks, i, part), isWithin = part > 0 && i === now, way = i < now ? -1 : 1;
+        const {places, frames} = sceneryAt(scenery, i, part), isWithin = part > 0 && i === now, way = i < now ? -1 : 1;
         now = i;
         drawing.setAttribute("aria-label", title + ": " + name);
         for (const {item, elements, set} of parts) {
@@ -318,20 +334,20 @@ function makePanel(title, size) {
             if (item.gone)
                 elements.forEach((x) => { x.setAttribute("display", gone ? "none" : "inline"); });
             if (!gone)
-                set((item.at || []).map((k) => places[k]), i, scale, shift);
+                set((item.at || []).map((k) => places[k]), i, scale, shift, frames[item.in || 0]);
         }
         putLabels(i, part, way);
         if (isWithin)
             return; /* values are those of the step */
         for (const {item, made, values} of notes) {
             made.hidden = isGone(item, i);
-            made.replaceChildren(...htmlWords([...item.words, ...values(i), ...(item.unit || [])]));
+            made.replaceChildren(...htmlWords([...item.words, ...values(i)]));
         }
     }
     /* Of a pin or a point at step i, in pixels of the sheet; null where it is not there. */
     function place(name, i = now) {
         const item = data.items.find((x) => x.name === name && (x.as === "disc" || x.as === "centre"));
-        return item && !isGone(item, i) ? placesAt(tracks, i, 0)[item.at[0]].map((x, k) => scale * x + shift[k]) : null;
+        return item && !isGone(item, i) ? sceneryAt(scenery, i, 0).places[item.at[0]].slice(0, 2).map((x, k) => scale * x + shift[k]) : null;
     }
     /* The step whose crank points to a place: of several, the nearest to the present one. */
     function rowAt([x, y], count) {

@@ -34,6 +34,13 @@ fourlink_vector place_in(fourlink_vector p, fourlink_vector axis, double along, 
     return place_beside(p, along * axis.x - left * axis.y, along * axis.y + left * axis.x);
 }
 
+fourlink_vector place_seen(fourlink_vector p, fourlink_vector axis, fourlink_vector at)
+{
+    double x = at.x - p.x, y = at.y - p.y;
+
+    return place_at(x * axis.x + y * axis.y, y * axis.x - x * axis.y);
+}
+
 fourlink_vector place_middle(fourlink_vector p, fourlink_vector q)
 {
     return place_at((p.x + q.x) / 2, (p.y + q.y) / 2);

@@ -20,6 +20,9 @@ fourlink_vector place_beside(fourlink_vector p, double dx, double dy);
 fourlink_vector place_polar(fourlink_vector p, double distance, double angle);
 fourlink_vector place_in(fourlink_vector p, fourlink_vector axis, double along, double left);
 
+/* How far a place is from another along a direction, and to its left. */
+fourlink_vector place_seen(fourlink_vector p, fourlink_vector axis, fourlink_vector at);
+
 /* The middle of two places, and their distance. */
 fourlink_vector place_middle(fourlink_vector p, fourlink_vector q);
 double place_distance(fourlink_vector p, fourlink_vector q);

@@ -25,6 +25,27 @@ fourlink_vector tracks_vector(const tracks *t, int number)
     return t->list[number].is_there ? t->list[number].v : zero;
 }
 
+int tracks_body(const tracks *t, int number)
+{
+    int i = number - TRACK_OUTPUT, joint;
+    fourlink_load_info load;
+
+    load.link = FOURLINK_GROUND;
+    if (i >= 0)
+        return i % TRACKS_OF_OUTPUT == OUTPUT_P ? t->v->design->group[i / TRACKS_OF_OUTPUT].link
+                                                : FOURLINK_END_OF(i / TRACKS_OF_OUTPUT);
+    if (number >= TRACK_DRIVE)
+        fourlink_deck_drive(t->v->deck, (unsigned long)(number - TRACK_DRIVE), &load);
+    else if (number >= TRACK_LOAD)
+        fourlink_deck_load(t->v->deck, (unsigned long)(number - TRACK_LOAD), &load);
+    else if (number >= TRACK_CENTRE)
+        return (number - TRACK_CENTRE) / 3;
+    for (joint = 0; joint < 4 && number < TRACK_CENTRE; joint++)
+        if (TRACK_OF_JOINT(&t->v->kind.joint[joint]) == number)
+            return t->v->kind.joint[joint].at;
+    return load.link;
+}
+
 const fourlink_link *tracks_link(const view *v, int link)
 {
     int k = link - FOURLINK_FOLLOWER - 1;

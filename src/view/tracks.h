@@ -125,6 +125,9 @@ int tracks_is_outline(const tracks *t, int number);
 /* The vector of a track; 0 if there is none. */
 fourlink_vector tracks_vector(const tracks *t, int number);
 
+/* The link with which the place of a track moves: a joint, a centre of mass, where a load acts, a pin of an output. */
+int tracks_body(const tracks *t, int number);
+
 /* The mass and so on of a link, of an output too. */
 const fourlink_link *tracks_link(const view *v, int link);
 

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
 ** test_drawing.c - random display lists: where their items are in pixels, curves cut to the box, areas, arcs; what a
-** terminal shows of them; and many steps as one motion, whose places follow each other.
+** terminal shows of them; and many steps as one motion, whose places stay in their frames.
 */
 #include <float.h>
 
 #include "check.h"
-#include "drawing/follow.h"
+#include "drawing/motion.h"
 #include "drawing/terminal.h"
 
 static uint64_t seed;
@@ -463,6 +463,22 @@ static struct {
 } steps[STEPS];
 
 static unsigned long last_key;
+static long n_held;                        /* places in frames that have been checked */
+static fourlink_vector place_of_held[200]; /* of each track: where it was in its frame at first */
+
+enum { ROD = 200, BLOCK, SPRING }; /* keys of frames */
+
+/* Add a frame at a place; then it holds what follows. */
+static display_item *frame_at(display *d, unsigned long key, fourlink_vector origin)
+{
+    display_item *x = display_add(d, DISPLAY_FRAME, PEN_OF_LINK, DISPLAY_BACK);
+
+    x->key = key;
+    d->hold = 0;
+    display_add_place(d, origin);
+    d->hold = key;
+    return x;
+}
 
 /* Give an item the next key. */
 static display_item *keyed(display_item *x)
@@ -505,15 +521,25 @@ static void draw_step(display *d, int i, double length, double offset)
         x->key = 101;
     }
     keyed(display_line(d, PEN_CRANK, DISPLAY_LINES, A, B));
+    frame_at(d, ROD, B);
+    display_add_place(d, place_in(B, u, 0.5, 0));
     keyed(display_line(d, PEN_COUPLER, DISPLAY_LINES, B, C));
     keyed(display_line(d, PEN_COUPLER, DISPLAY_LINES, B, P));
     keyed(display_line(d, PEN_COUPLER, DISPLAY_LINES, P, C));
+    frame_at(d, BLOCK, C);
     keyed(display_line(d, PEN_FOLLOWER, DISPLAY_LINES, corner, other));
+    d->hold = 0;
     keyed(display_line(d, PEN_GROUND, DISPLAY_LINES, place_at(-1, 12), place_at(2, 12)));
     /* parts of the way from A to C, which changes its length */
+    x = frame_at(d, SPRING, A);
+    x->size = 1;
+    d->hold = 0;
+    display_add_place(d, C);
+    d->hold = SPRING;
     keyed(display_line(d, PEN_GROUND, DISPLAY_LINES, A, C));
     keyed(display_line(d, PEN_GROUND, DISPLAY_LINES, place_at(0.3 * C.x, 13.2),
                        place_at(0.7 * C.x, 12.8)));
+    d->hold = 0;
     x = keyed(display_arc(d, PEN_CONSTRUCTION, A, 0, theta));
     x->radius[0] = x->radius[1] = 0.4;
     keyed(display_text(d, PEN_GROUND, B, DISPLAY_MIDDLE, "B"));
@@ -547,8 +573,43 @@ static void keep_step(const display *d, int i)
     }
 }
 
+/* A place that a frame holds stays where it is in that: its coordinates, from the frame's places by the rotation
+**
+**    x = c dx + s dy,  y = c dy - s dx
+**
+** of a stretched one with x divided by the length, are those of the first step. */
+static void check_frame(const motion *m, size_t track, size_t i)
+{
+    size_t frame = motion_frame_of(m, track);
+    const motion_item *x = &m->items[frame];
+    fourlink_vector o, e, p = m->tracks[track * m->n_steps + i], q;
+    double length = 1, c = 1, s = 0;
+
+    if (frame == m->n_items) {
+        near_place(motion_seen(m, frame, track, i), p, 0);
+        return;
+    }
+    n_held++;
+    o = m->tracks[x->first * m->n_steps + i];
+    if (x->n > 1) {
+        e = m->tracks[(x->first + 1) * m->n_steps + i];
+        length = hypot(e.x - o.x, e.y - o.y);
+        c = (e.x - o.x) / length;
+        s = (e.y - o.y) / length;
+    }
+    assert_true(fabs(cos(motion_angle(m, frame, i)) - c) < 1e-12);
+    assert_true(fabs(sin(motion_angle(m, frame, i)) - s) < 1e-12);
+    q = place_at(c * (p.x - o.x) + s * (p.y - o.y), c * (p.y - o.y) - s * (p.x - o.x));
+    if (x->like.size > 0)
+        q.x /= length;
+    near_place(motion_seen(m, frame, track, i), q, 1e-9);
+    if (i == 0)
+        place_of_held[track] = q;
+    near_place(q, place_of_held[track], 1e-9);
+}
+
 /* A step of the motion is the display list that it had: its items in their order. */
-static void check_step(const motion *m, const follow *f, int i)
+static void check_step(const motion *m, int i)
 {
     int k = 0, j;
     size_t at;
@@ -570,9 +631,7 @@ static void check_step(const motion *m, const follow *f, int i)
             size_t track = x->first + (size_t)j;
 
             near_place(m->tracks[track * m->n_steps + (size_t)i], steps[i].item[k].at[j], 1e-9);
-            if (x->like.part != DISPLAY_NOTE) /* nobody asks where it is */
-                near_place(follow_at(f, f->number[track], (size_t)i), steps[i].item[k].at[j],
-                           0.0301);
+            check_frame(m, track, (size_t)i);
         }
         k++;
     }
@@ -585,10 +644,9 @@ TEST(motions_of_many_steps)
 
     for (number = 0; number < 40; number++) {
         double length = any(1.5, 3), offset = any(-1, 1);
-        size_t k, own = 0, along = 0, beside = 0;
+        size_t k;
         display d;
         motion m;
-        follow f;
 
         display_open(&d);
         motion_open(&m, STEPS);
@@ -597,8 +655,7 @@ TEST(motions_of_many_steps)
             keep_step(&d, i);
             motion_add(&m, (size_t)i, &d);
         }
-        follow_open(&f, &m);
-        assert_int_equal(m.n_items, 17);
+        assert_int_equal(m.n_items, 20);
         for (k = 0; k < m.n_items; k++) {
             int is_theta = strcmp(display_words(&m.kept, m.items[k].like.words), "theta = ") == 0;
 
@@ -606,17 +663,8 @@ TEST(motions_of_many_steps)
             assert_int_equal(m.items[k].unit_varies, is_theta);
         }
         for (i = 0; i < STEPS; i++)
-            check_step(&m, &f, i);
-        /* the pins B and C, the tips of the arrows and the angle of the arc are their own; P goes with the rod */
-        for (k = 0; k < f.n; k++) {
-            own += f.list[k].sort == FOLLOW_OWN;
-            along += f.list[k].sort == FOLLOW_ALONG;
-            beside += f.list[k].sort == FOLLOW_BESIDE;
-        }
-        assert_int_equal(own, 5);
-        assert_int_equal(along, 3);
-        assert_int_equal(beside, 2);
-        follow_close(&f);
+            check_step(&m, i);
+        assert_int_equal(n_held, (number + 1) * STEPS * (1 + 6 + 2 + 4));
         motion_close(&m);
         display_close(&d);
     }

@@ -30,38 +30,51 @@ const [fourlink, widths, every, ...decks] = process.argv.slice(2);
 
 /* This function is run in the page. */
 function measure(every) {
-    const PER_PIXEL = 40, HALF_WIDE = 0.32, HEAD = 0.025, LEAST_HEAD = 14, ROUNDING = 0.1;
-    const LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789";
+    const PER_PIXEL = 40, PER_RADIAN = 20000, HALF_WIDE = 0.32, HEAD = 0.025, LEAST_HEAD = 14, ROUNDING = 0.1;
+    const SIGNS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789!#$%'*+,-./:;=?@[]^_`{|}~ ";
     const data = JSON.parse(document.getElementById("fourlink-rows").textContent);
     const drawing = fourlink.draw(data, document.getElementById("fourlink-panels"), document.getElementById("fourlink-more"));
     const sum = {labels: 0, overlaps: 0, lines: 0, curves: 0, clipped: 0, far: 0, out: 0, jumps: 0, never: 0, steps: 0, ms: 0, most: 0, examples: []};
     const widthsOf = new Map(), strokes = new Map();
 
-    /* A track: differences of second order, a letter or (number) each. */
-    function track(words) {
-        const list = [];
-        for (const [, letter, number] of words.matchAll(/([A-Za-z0-9])|\((-?\d+)\)/g)) {
-            const d = letter ? LETTERS.indexOf(letter) - 30 : Number(number), n = list.length;
+    /* A series: differences of second order, of one to three signs or (number) each; or a number that stays. */
+    function series(words, parts) {
+        const list = [], at = (k) => SIGNS.indexOf(words[k]);
+        if (typeof words === "number")
+            return () => words;
+        for (let k = 0; k < words.length; k++) {
+            const n = list.length, sign = at(k);
+            let d = sign - 30;
+            if (sign < 0) {
+                d = parseInt(words.slice(k + 1), 10);
+                k = words.indexOf(")", k);
+            } else if (sign >= 80) {
+                d = (sign - 84) * 7744 + at(k + 1) * 88 + at(k + 2);
+                k += 2;
+            } else if (sign >= 62) {
+                d = (sign - 71) * 88 + at(k + 1);
+                k++;
+            }
             list.push(n ? d + 2 * list[n - 1] - list[Math.max(0, n - 2)] : d);
         }
-        return list.map((x) => x / PER_PIXEL);
+        return (i) => list[i] / parts;
     }
+    /* Where the places of a panel are at a step, through the frames that hold them. */
     function placesOf(panel) {
-        const tracks = panel.places.map((x) => typeof x[0] === "string" ? x.map(track) : x);
-        return (i) => tracks.reduce((list, x) => {
-            const from = list[x[0]], to = list[x[1]];
-            if (typeof x[0] === "object") {
-                list.push([x[0][i], x[1][i]]);
-            } else if (x.length === 2) {
-                list.push(x);
-            } else if (x.length === 3) {
-                list.push([from[0] + x[1], from[1] + x[2]]);
-            } else {
-                const dx = to[0] - from[0], dy = to[1] - from[1], l = Math.hypot(dx, dy) || 1, s = x[2] + x[3] / l, t = x[4] / l;
-                list.push([from[0] + s * dx - t * dy, from[1] + s * dy + t * dx]);
-            }
-            return list;
-        }, []);
+        const places = panel.places.map(([f, x, y]) => [f, series(x, PER_PIXEL), series(y, PER_PIXEL)]);
+        const turns = panel.frames.map((x) => x[1] === -1 && series(x[2], PER_RADIAN));
+        return (i) => {
+            const placeAt = (k) => {
+                const [f, x, y] = places[k];
+                if (!f)
+                    return [x(i), y(i)];
+                const [p, q, way] = panel.frames[f - 1], from = placeAt(p), to = q >= 0 ? placeAt(q) : null;
+                const u = to ? [to[0] - from[0], to[1] - from[1]] : turns[f - 1] ? [Math.cos(turns[f - 1](i)), Math.sin(turns[f - 1](i))] : [1, 0];
+                const l = Math.hypot(...u) || 1, s = to && way ? x(i) : x(i) / l, t = y(i) / l;
+                return [from[0] + s * u[0] - t * u[1], from[1] + s * u[1] + t * u[0]];
+            };
+            return places.map((x, k) => placeAt(k));
+        };
     }
     /* The ink of a text: letters stand on the line, what is below or above it has its own size. */
     function boxOf(text) {
@@ -91,9 +104,11 @@ function measure(every) {
                 discs.push({x: scale * x.getAttribute("cx") + dx, y: scale * x.getAttribute("cy") + dy, r: scale * x.getAttribute("r")});
                 continue;
             }
+            const [tx, ty, degrees] = (x.getAttribute("transform") || "0 0 0").match(/-?[\d.]+(e-?\d+)?/g).map(Number);
+            const c = Math.cos(degrees * Math.PI / 180), s = Math.sin(degrees * Math.PI / 180);
             const d = x.getAttribute("d"), half = strokeOf(x), isCurve = /^path of/.test(x.getAttribute("data-name") || "");
             for (const piece of d.split(/(?=M)/)) {
-                const at = [...piece.matchAll(/(-?[\d.]+(?:e-?\d+)?),(-?[\d.]+(?:e-?\d+)?)/g)].map(([, p, q]) => [scale * p + dx, scale * q + dy]);
+                const at = [...piece.matchAll(/(-?[\d.]+(?:e-?\d+)?),(-?[\d.]+(?:e-?\d+)?)/g)].map(([, p, q]) => [scale * (tx + c * p - s * q) + dx, scale * (ty + s * p + c * q) + dy]);
                 if (/z/.test(piece))
                     at.push(at[0]);
                 for (let k = 1; k < at.length; k++)

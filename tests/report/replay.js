@@ -4,7 +4,7 @@
 **
 ** SOURCES is src/report, SCENE and FRAMES are from tests/web/scenes.c: the drawings as one motion, and each of them as it was before,
 ** an SVG.  At each step each line, disc and text of the SVG has to be in the document at the same place, and nothing else;
-** keys and values beside the drawing too.  A label is near its place; labels.js of the tests measures more.  A line for what is wrong, at
+** keys and values beside the drawing too.  A place that is held by the frame of a body, or along a way, stays there.  A label is near its place; labels.js of the tests measures more.  A line for what is wrong, at
 ** the end how many drawings were compared and the largest distance in pixels.
 */
 "use strict";
@@ -19,7 +19,7 @@ const {fourlink, Element} = scriptOf(["elements.js", "labels.js", "player.js"].m
 const scene = JSON.parse(fs.readFileSync(sceneFile, "utf8"));
 const numbers = (words) => (words.match(/-?\d+(\.\d+)?(e-?\d+)?/g) || []).map(Number);
 const plain = (words) => words.replace(/&lt;/g, "<").replace(/&gt;/g, ">").replace(/&quot;/g, "\"").replace(/&#39;/g, "'").replace(/&amp;/g, "&");
-let compared = 0, wrong = 0, worst = 0, labels = 0, out = 0;
+let compared = 0, wrong = 0, worst = 0, labels = 0, out = 0, held = 0;
 
 function fail(where, what) {
     if (++wrong <= 5)
@@ -36,6 +36,12 @@ function arcOf(look, places) {
 /* Pieces of a path, each [name, numbers]. */
 function piecesOf(look, d, name) {
     return d.split(/(?=M)/).filter((x) => x).map((x) => !name && x.split("L").length > 8 ? arcOf(look, numbers(x)) : ["path " + look + " " + x.replace(/[-\d.e]+/g, "#").replace(/ +/g, " "), numbers(x), name]);
+}
+
+/* A path where its transform moves it: so far, turned by so many degrees. */
+function moved(d, [x, y, degrees]) {
+    const c = Math.cos(degrees * Math.PI / 180), s = Math.sin(degrees * Math.PI / 180);
+    return x === undefined ? d : d.replace(/([-\d.e]+),([-\d.e]+)/g, (at, p, q) => (x + c * p - s * q) + "," + (y + s * p + c * q));
 }
 
 /* What an SVG of the program shows: items of the drawing, keys, values. */
@@ -64,9 +70,9 @@ function shownBy(svg) {
 function shownIn(panel) {
     const items = [], labels = [], [ink, texts] = panel.drawing.children;
     for (const x of [...below(ink), ...below(texts)]) {
-        const look = x.getAttribute("class") || "";
+        const look = x.getAttribute("class") || "", turn = numbers(x.getAttribute("transform") || "");
         if (x.tagName === "path")
-            items.push(...piecesOf(look, x.getAttribute("d"), x.getAttribute("data-name")));
+            items.push(...piecesOf(look, moved(x.getAttribute("d"), turn), x.getAttribute("data-name")));
         else if (x.tagName === "circle")
             items.push(["circle " + look, ["cx", "cy", "r"].map((name) => Number(x.getAttribute(name)))]);
         else if (x.tagName === "text" && look === "halo")
@@ -123,6 +129,14 @@ function addCurves(list, first) {
 }
 
 const place = new Element("div"), drawing = fourlink.draw(scene, place);
+/* Places that are said to move with a body, or along a way, and do not; those that do. */
+for (const panel of scene.branches.flatMap((branch) => branch.panels))
+    for (const [f, x, y] of panel.places)
+        if (f && panel.frames[f - 1].length > 1) {
+            held++;
+            if (typeof x === "string" || typeof y === "string")
+                fail(panel.title, "a place moves in frame " + f);
+        }
 const count = scene.branches.map((branch) => branch.panels.length);
 const firsts = new Map();
 for (const frame of fs.readFileSync(framesFile, "utf8").split(/^@ /m).slice(1)) {
@@ -140,4 +154,4 @@ for (const frame of fs.readFileSync(framesFile, "utf8").split(/^@ /m).slice(1)) 
     compare(where, addCurves(wanted, firsts.get(number)), shownIn(drawing.panels[k]));
     compared++;
 }
-console.log(compared + " drawings, " + wrong + " wrong, " + labels + " labels, " + worst.toFixed(3) + " pixels at most, " + out + " left out");
+console.log(compared + " drawings, " + wrong + " wrong, " + labels + " labels, " + worst.toFixed(3) + " pixels at most, " + out + " left out, " + held + " places in frames");
