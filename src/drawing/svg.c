@@ -6,11 +6,13 @@
 ** belong together.  An item has the class of its look, and what it shows as data-name.
 */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <gsl/gsl_math.h>
 
 #include "system/format.h"
+#include "system/memory.h"
 #include "system/xml.h"
 #include "base/digits.h"
 #include "base/text.h"
@@ -245,6 +247,8 @@ typedef struct moving_item {
     const display *frames, *of;
     int n, repeats; /* 1: the first frame follows the last */
     const display_item *x;
+    unsigned long
+        body; /* the key of the frame with which it moves as a whole, in whose group it is; 0: none */
 } moving_item;
 
 /* 1 if it is in all frames at the same places; without a key, as the axes, it is. */
@@ -280,6 +284,8 @@ static void put_values(FILE *out, const moving_item *m, const char *attribute,
     const display_item *x = m->x, *y;
     int k;
 
+    if (m->body)
+        return;
     put_animate(out, attribute, "");
     for (k = 0; k < m->n + m->repeats; k++) {
         y = item_in(&m->frames[k % m->n], m->x);
@@ -530,21 +536,145 @@ void svg_write(FILE *out, const display *d, const char *title, const char *descr
 
 /* -------------------------------------------------------------------------------------------- motion */
 
+/* The frame of a display list that turns with a body; null if it is not there. */
+static const display_item *body_in(const display *d, unsigned long key)
+{
+    const display_item *x = d->items + d->panels[0].first;
+
+    for (; x < d->items + d->n_items; x++)
+        if (x->sort == DISPLAY_FRAME && x->key == key && x->n == 2)
+            return d->holds[x->first + 1] == key ? x : NULL;
+    return NULL;
+}
+
+/* Where place j of an item is in the frame of a body; NaN if that does not hold it. */
+static fourlink_vector place_in_body(const display *d, const display_item *x, size_t j,
+                                     unsigned long key)
+{
+    const display_item *body = body_in(d, key);
+
+    return body && d->holds[x->first + j] == key
+               ? display_seen(body, d->places + body->first, d->places[x->first + j])
+               : place_at(GSL_NAN, GSL_NAN);
+}
+
+/* The key of the body with which an item moves as a whole; 0: none.  Texts and centres of mass stay upright. */
+static unsigned long body_of(const moving_item *m)
+{
+    unsigned long key = m->x->n ? m->of->holds[m->x->first] : 0;
+    const display_item *y;
+    size_t j;
+    int k;
+
+    if (m->x->sort == DISPLAY_TEXT || m->x->sort == DISPLAY_CENTRE)
+        return 0;
+    for (k = 0; k < m->n && key; k++) {
+        y = item_in(&m->frames[k], m->x);
+        if (y && y->n != m->x->n)
+            return 0;
+        for (j = 0; y && j < y->n; j++)
+            if (!(place_distance(place_in_body(&m->frames[k], y, j, key),
+                                 place_in_body(m->of, m->x, j, key)) < 5e-4))
+                return 0;
+    }
+    return key;
+}
+
+/* Where a body is, or its angle in degrees, without a jump from that of the step before; the same if it is not there. */
+static fourlink_vector pose_of(const display *d, unsigned long body, int is_turn,
+                               fourlink_vector last)
+{
+    const display_item *x = body_in(d, body);
+    const fourlink_vector *at = d->places + (x ? x->first : 0);
+    double angle;
+
+    if (!x || !is_turn)
+        return x ? at[0] : last;
+    angle = atan2(at[1].y - at[0].y, at[1].x - at[0].x) * 180 / M_PI;
+    return place_at(angle + 360 * floor((last.x - angle) / 360 + 0.5), 0);
+}
+
+static void put_pose(FILE *out, fourlink_vector pose, int is_turn)
+{
+    put_number(out, pose.x);
+    if (is_turn)
+        return;
+    putc(',', out);
+    put_number(out, pose.y);
+}
+
+/* Write how a body goes, or turns; one value, if all are the same. */
+static void put_transform(FILE *out, const moving_item *m, int is_turn)
+{
+    fourlink_vector first = pose_of(m->of, m->body, is_turn, place_at(0, 0)), last = first;
+    int k, n = 1;
+
+    for (k = 0; k < m->n; k++) {
+        last = pose_of(&m->frames[k], m->body, is_turn, last);
+        n = place_distance(last, first) > 5e-5 ? m->n + m->repeats : n;
+    }
+    fprintf(out,
+            "<animateTransform attributeName=\"transform\" type=\"%s\"%s dur=\"%ds\" "
+            "repeatCount=\"indefinite\" values=\"",
+            is_turn ? "rotate" : "translate", is_turn ? " additive=\"sum\"" : "", SECONDS);
+    for (k = 0, last = first; k < n; k++) {
+        last = pose_of(&m->frames[k % m->n], m->body, is_turn, last);
+        fputs(k ? ";" : "", out);
+        put_pose(out, last, is_turn);
+    }
+    fputs("\"/>", out);
+}
+
+/* Write an item that moves with a body as it is in its frame, in the group of the one before if that is the same. */
+static void put_in_group(FILE *out, moving_item *m, unsigned long last)
+{
+    display seen = *m->of;
+    display_item x = *m->x;
+    size_t j;
+
+    if (last && last != m->body)
+        fputs("</g>\n", out);
+    if (m->body && last != m->body) {
+        fputs("<g transform=\"translate(", out);
+        put_pose(out, pose_of(&m->frames[0], m->body, 0, place_at(0, 0)), 0);
+        fputs(") rotate(", out);
+        put_pose(out, pose_of(&m->frames[0], m->body, 1, place_at(0, 0)), 1);
+        fputs(")\">", out);
+        put_transform(out, m, 0);
+        put_transform(out, m, 1);
+        putc('\n', out);
+    }
+    if (!m->body) {
+        put_item(out, m->of, m->x, is_still(m) ? NULL : m);
+        return;
+    }
+    seen.places = memory_get(x.n, sizeof *seen.places);
+    x.first = 0;
+    for (j = 0; seen.places && j < x.n; j++)
+        seen.places[j] = place_in_body(m->of, m->x, j, m->body);
+    if (seen.places)
+        put_item(out, &seen, &x, m);
+    free(seen.places);
+}
+
 /* Write those items of frame k in a layer that are in none of the frames before. */
 static void put_new_items(FILE *out, moving_item *m, int k, int layer)
 {
     const display *d = &m->frames[k];
     const display_item *x;
+    unsigned long last;
     int before;
 
     for (x = d->items + d->panels[0].first; x < d->items + d->n_items; x++) {
         for (before = 0; before < k && x->key && !item_in(&m->frames[before], x); before++)
             ;
-        if (before < k || x->layer != layer)
+        if (before < k || x->layer != layer || x->sort == DISPLAY_FRAME)
             continue;
         m->of = d;
         m->x = x;
-        put_item(out, d, x, is_still(m) ? NULL : m);
+        last = m->body;
+        m->body = x->key ? body_of(m) : 0;
+        put_in_group(out, m, last);
     }
 }
 
@@ -560,8 +690,10 @@ void svg_write_motion(FILE *out, const display *frames, int n, int repeats, cons
     put_begin(out, &frames[0], title, description, 0);
     put_items(out, &frames[0], 0, frames[0].panels[0].first);
     put_panel_data(out, &frames[0].panels[0]);
+    m.body = 0;
     for (layer = 0; layer < DISPLAY_LAYERS; layer++)
         for (k = 0; k < n; k++)
             put_new_items(out, &m, k, layer);
+    fputs(m.body ? "</g>\n" : "", out);
     fputs("</g>\n</svg>\n", out);
 }

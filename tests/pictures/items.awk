@@ -31,10 +31,31 @@ function read_places(path, part, xy, n, i, k) {
         if (part[i] ~ /^[ML]/) {
             split(substr(part[i], 2), xy, ",")
             kind[++k] = substr(part[i], 1, 1)
-            px[k] = xy[1] + 0
-            py[k] = xy[2] + 0
+            px[k] = moved_x(xy[1], xy[2])
+            py[k] = moved_y(xy[1], xy[2])
         }
     return k + 0
+}
+
+# Where the group of an element is in this frame: gone so far, and turned by an angle.
+function find_group(i, frame) {
+    gone_x = gone_y = turned = 0
+    if (!group_of[i])
+        return
+    split(value_of(goes[group_of[i]], frame), way, ",")
+    gone_x = way[1]
+    gone_y = way[2]
+    turned = value_of(turns[group_of[i]], frame) * atan2(0, -1) / 180
+}
+function value_of(list, frame, values, n) {
+    n = split(list, values, ";")
+    return values[frame > n ? n : frame]
+}
+function moved_x(x, y) {
+    return gone_x + cos(turned) * x - sin(turned) * y
+}
+function moved_y(x, y) {
+    return gone_y + sin(turned) * x + cos(turned) * y
 }
 
 # ---------------------------------------------------------------------------------------------- panel
@@ -79,8 +100,8 @@ function put_key(look, words) {
 }
 
 function put_circle(tag, class, name, x, y, r, size, k) {
-    x = attribute(tag, "cx")
-    y = attribute(tag, "cy")
+    x = moved_x(attribute(tag, "cx"), attribute(tag, "cy"))
+    y = moved_y(attribute(tag, "cx"), attribute(tag, "cy"))
     r = attribute(tag, "r") + 0
     size = sprintf("%.9g", r / width * (x1 > x0 ? x1 - x0 : x0 - x1))
     if (name == "key")
@@ -187,6 +208,7 @@ function put_panel(frame, i, tag, class, look, name) {
     sample = ""
     for (i = 1; i <= elements; i++) {
         tag = tag_of(i, frame)
+        find_group(i, frame)
         class = attribute(tag, "class")
         look = class
         sub(/ .*/, "", look)
@@ -254,7 +276,7 @@ function put_curves(i) {
     if (heads == 2 && !panels++)
         print "title " head[1] "\nsubtitle " head[2]
     is_inside = 1
-    elements = is_framed = frames = 0
+    elements = is_grouped = frames = 0
     gsub(/,/, " ")
     split(attribute($0, "data-box"), box, " ")
     split(attribute($0, "data-axes"), axes, " ")
@@ -262,23 +284,28 @@ function put_curves(i) {
     x0 = axes[1]; x1 = axes[2]; y0 = axes[3]; y1 = axes[4]
     next
 }
-/^<g / { # frames, shown one after the other
-    is_framed = is_in_frame = 1
-    elements = 0
+/^<g transform=/ { # what moves with a body
+    is_grouped = 1
+    rest = substr($0, index($0, "\"translate\""))
+    goes[++groups] = attribute(rest, "values")
+    turns[groups] = attribute(substr(rest, index(rest, "\"rotate\"")), "values")
+    next
+}
+/^<\/g>/ && is_grouped {
+    is_grouped = 0
     next
 }
 /^<\/g>/ {
-    if (is_in_frame || !is_framed && !frames)
+    if (!frames)
         put_panel(1)
-    for (i = 1; !is_framed && i <= frames - (frames > STILL); i++) # of a motion that repeats the last is the first
+    for (i = 1; i <= frames - (frames > STILL); i++) # of a motion that repeats the last is the first
         put_panel(i)
-    if (!is_in_frame)
-        is_inside = 0
-    is_in_frame = 0
+    is_inside = 0
     next
 }
 is_inside {
     element[++elements] = $0
+    group_of[elements] = is_grouped ? groups : 0
     if (index($0, "<animate "))
         frames = split(attribute(substr($0, index($0, "<animate ")), "values"), values, ";")
     next

@@ -24,9 +24,11 @@ make() {
 
 # steps: of the crank in degrees, from each frame to the next and from the last to the first
 steps() {
-    cat frame-*.svg | awk '/class="crank"/ {
+    cat frame-*.svg | awk '/rotate\(/ {turned = $0; sub(/.*rotate\(/, "", turned); turned += 0}
+        /<\/g>/ {turned = 0}
+        /class="crank"/ {
         sub(/.* d="M/, ""); sub(/".*/, ""); split($0, at, /[ML,]+/)
-        angle[n++] = atan2(at[2] - at[4], at[3] - at[1]) * 45 / atan2(1, 1)}
+        angle[n++] = atan2(at[2] - at[4], at[3] - at[1]) * 45 / atan2(1, 1) - turned}
         END {for (k = 0; k < n; k++) {
             step = angle[(k + 1) % n] - angle[k]
             print step - 360 * int(step / 360 + (step < 0 ? -0.5 : 0.5))}}'
