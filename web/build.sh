@@ -57,6 +57,7 @@ build_program() {
         for file; do
             case $file in
             src/report/* | src/pictures/* | src/view/* | src/drawing/* | src/command/* | src/tables/* | src/deck/*) level=-Oz ;; # what is small loads sooner
+            src/results/* | src/motion/*) level=-Os ;;
             *) level=-O2 ;;
             esac
             emcc -std=c90 -pedantic-errors -Wall -Wextra -Werror $level -ffp-contract=off -Dmain=web_main -Iinclude -Isrc -I"$work/web/gsl" \
