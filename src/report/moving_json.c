@@ -10,7 +10,7 @@
 **           [p, q, 1]       so, with the way between them as the unit of x
 **    places [frame, x, y]   where they are in a frame, from 1 on, or on the sheet, 0
 **
-** in pixels, to the right and down, and radians: a number, or a text with that of each step, see put_series.  A place
+** in pixels, to the right and down, and radians: a number, or a text with that of each step, see series.h.  A place
 ** is in a frame before or on the sheet.
 **
 ** Items name their places: "as" line, arrow, arc, disc, centre, text, label or path, its class "look", its places "at",
@@ -34,91 +34,21 @@
 #include "drawing/motion.h"
 #include "drawing/svg.h"
 #include "interactive.h"
+#include "series.h"
 #include "view/notation.h"
 
 #define PER_PIXEL 40. /* of numbers of a series */
 #define PER_RADIAN 20000.
-#define DIGITS 6   /* of a place */
 #define NEAR 0.03  /* pixels: so far a place stays where it is */
 #define CLOSE 1e-6 /* the same, for lengths along a way */
 
-/* ---------------------------------------------------------------------------------------------- places */
-
-/* In so many parts of its unit. */
-static void put_rounded(line *l, double x, double parts)
-{
-    line_number(l, floor(parts * x + 0.5) / parts, DIGITS);
-}
-
-static void put_number(line *l, double x)
-{
-    put_rounded(l, x, 1000);
-}
-
-static const char signs[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789"
-                            "!#$%'*+,-./:;=?@[]^_`{|}~ ";
-
-#define SIGNS \
-    88 /* of which the first 62 stand alone, the next 18 before one, and the others before two */
-
-/* One sign from -30 to 31, two from -792 to 791, three from -30976 to 30975; others as (-40000). */
-static void put_small(line *l, long n)
-{
-    if (n >= -30 && n < 32) {
-        line_byte(l, signs[n + 30]);
-    } else if (n >= -9 * SIGNS && n < 9 * SIGNS) {
-        line_byte(l, signs[62 + (n + 9 * SIGNS) / SIGNS]);
-        line_byte(l, signs[(n + 9 * SIGNS) % SIGNS]);
-    } else if (n >= -4 * SIGNS * SIGNS && n < 4 * SIGNS * SIGNS) {
-        n += 4 * SIGNS * SIGNS;
-        line_byte(l, signs[80 + n / SIGNS / SIGNS]);
-        line_byte(l, signs[n / SIGNS % SIGNS]);
-        line_byte(l, signs[n % SIGNS]);
-    } else {
-        line_put(l, n < 0 ? "(-" : "(");
-        line_put(l, "%lu)", (unsigned long)labs(n));
-    }
-}
-
-/* Write numbers, in so many parts of their unit: the first, and how each differs from where the two before lead to.  One that
-** is not there stands still. */
-static void put_series(line *l, const double *x, size_t n, double parts)
-{
-    long here, last = 0, before = 0;
-    size_t i, first = 0;
-
-    while (first + 1 < n && gsl_isnan(x[first]))
-        first++;
-    line_byte(l, '"');
-    for (i = 0; i < n; i++) {
-        double now = i ? x[i] : x[first];
-
-        here = gsl_isnan(now) ? last : (long)floor(parts * now + 0.5);
-        put_small(l, here - (2 * last - before));
-        before = i ? last : here;
-        last = here;
-    }
-    line_byte(l, '"');
-}
-
-/* Write the numbers, or the first one if they are all the same but for so much. */
-static void put_numbers(line *l, const double *x, size_t n, double parts, double near)
-{
-    double first = GSL_NAN;
-    size_t i;
-    int varies = 0;
-
-    for (i = 0; i < n; i++) {
-        first = gsl_isnan(first) ? x[i] : first;
-        varies |= fabs(x[i] - first) > near;
-    }
-    if (varies)
-        put_series(l, x, n, parts);
-    else
-        put_rounded(l, first, 1 / CLOSE);
-}
-
 /* -------------------------------------------------------------------------------------------- places */
+
+/* To the thousandth of a pixel. */
+static void put_pixels(line *l, double x)
+{
+    series_put_rounded(l, x, 1000);
+}
 
 /* A number in the frame that holds it. */
 typedef struct seen {
@@ -289,7 +219,7 @@ static void put_frame(line *l, places *f, size_t frame)
             before = gsl_isnan(f->numbers[i]) ? before : f->numbers[i];
         }
         line_put(l, ",-1,");
-        put_numbers(l, f->numbers, f->m->n_steps, PER_RADIAN, 0.5 / PER_RADIAN);
+        series_put_or_one(l, f->numbers, f->m->n_steps, PER_RADIAN, 0.5 / PER_RADIAN);
     } else if (x->n > 1) {
         line_put(l, ",%lu", (unsigned long)number_of(f, x->first + 1));
         line_put(l, x->like.size > 0 ? ",1" : "");
@@ -308,7 +238,7 @@ static void put_place(line *l, places *f, size_t number)
         for (i = 0; i < f->m->n_steps; i++)
             f->numbers[i] = k ? x->at[i].y : x->at[i].x;
         line_put(l, ",");
-        put_numbers(l, f->numbers, f->m->n_steps, PER_PIXEL, NEAR);
+        series_put_or_one(l, f->numbers, f->m->n_steps, PER_PIXEL, NEAR);
     }
     line_put(l, "]");
 }
@@ -426,7 +356,7 @@ static void put_values(line *l, const places *f, size_t item)
             line_put(l, "-%lu,\"\",", (unsigned long)n);
         } else {
             line_put(l, "%lu,", (unsigned long)all.decimals);
-            put_series(l, f->numbers, n, gsl_pow_int(10, all.decimals));
+            series_put(l, f->numbers, n, gsl_pow_int(10, all.decimals));
             line_put(l, ",");
         }
         put_words(l, all.end);
@@ -491,9 +421,9 @@ static int are_together(const motion *m, size_t item, size_t other)
 static void put_point(line *l, char before, fourlink_vector at, double parts)
 {
     line_byte(l, before);
-    put_rounded(l, at.x, parts);
+    series_put_rounded(l, at.x, parts);
     line_byte(l, ',');
-    put_rounded(l, at.y, parts);
+    series_put_rounded(l, at.y, parts);
 }
 
 static void put_curve(line *l, const motion *m, const motion_item *x)
@@ -556,7 +486,7 @@ static void put_size(line *l, double size)
 {
     if (size > 0) {
         line_put(l, ",\"size\":");
-        put_number(l, size);
+        put_pixels(l, size);
     }
 }
 
@@ -585,9 +515,9 @@ static size_t put_item(line *l, places *f, size_t item)
     put_places(l, f, x);
     if (x->like.sort == DISPLAY_ARC) {
         line_put(l, ",\"radius\":[");
-        put_number(l, x->like.radius[0]);
+        put_pixels(l, x->like.radius[0]);
         line_put(l, ",");
-        put_number(l, x->like.radius[1]);
+        put_pixels(l, x->like.radius[1]);
         line_put(l, "]");
     } else if (x->like.sort == DISPLAY_TEXT) {
         put_size(l, x->like.size);
