@@ -21,7 +21,7 @@ shown() {
 replay() {
     name=$(basename "$1" .deck)
     "$scenes" "$1" "$name.frames" "$2" >"$name.json" 2>err || return 0 # no drawing
-    node "$tests/report/replay.js" "$data/../src/report" "$name.json" "$name.frames" >out 2>&1
+    node "$tests/report/replay.js" "$data/../src/report" "$name.json" "$name.frames" $(grep -q '^slot *=' "$1" && echo slots) >out 2>&1
     check "$name: $(head -n 3 out)" grep -q ' drawings, 0 wrong, ' out
     tail -n 1 out >>all
     [ "$1" = none.deck ] || shown "$1"
