@@ -439,6 +439,51 @@ static void refine(sought *k, int which)
     }
 }
 
+/* A peak between an end of the piece where the column is 0 / 0 and the next sample, at places ever closer to the end. */
+#define CLOSER 10 /* halvings of the distance */
+
+static void refine_beside_undefined_end(sought *k, int which, int end)
+{
+    const flk_samples *x = k->x;
+    size_t inner = end ? x->n - 2 : 1;
+    flk_sample list[CLOSER + 3], at[3], top;
+    double s = x->s[end ? x->n - 1 : 0], away = x->s[inner] - s;
+    int i;
+
+    k->which = which;
+    k->near = k->c->v[inner];
+    list[0] = sample_of(k, end ? inner - 1 : inner + 1);
+    list[1] = sample_of(k, inner);
+    for (i = 2; i < CLOSER + 2; i++) {
+        away /= 2;
+        list[i].x = s + away;
+        list[i].value = peak_at(s + away, k);
+    }
+    list[i].x = s;
+    list[i].value = signed_value(which, value_at_end(k, end));
+    for (i = 1; i < CLOSER + 2; i++)
+        if (list[i].value > list[i - 1].value && list[i].value > list[i + 1].value) {
+            at[0] = list[end ? i - 1 : i + 1];
+            at[1] = list[i];
+            at[2] = list[end ? i + 1 : i - 1];
+            top = flk_find_peak(peak_at, k, at, EQUAL * fabs(at[1].value));
+            sharpen(peak_at, k, at[0].x, at[2].x, &top);
+            offer_at(k, which, signed_value(which, top.value), top.x);
+        }
+}
+
+static void refine_beside_undefined_ends(sought *k, int which)
+{
+    const flk_samples *x = k->x;
+    const double *v = k->c->v;
+    int end;
+
+    for (end = 0; end < 2 && gsl_finite(k->c->of.bound) && x->n > 2; end++)
+        if (gsl_isnan(v[end ? x->n - 1 : 0]) && !gsl_isnan(v[end ? x->n - 2 : 1]) &&
+            !k->c->is_inside[end] && !flk_follow_is_over(&x->f))
+            refine_beside_undefined_end(k, which, end);
+}
+
 /* ------------------------------------------------------------------------------------------ least sizes */
 
 /* 1 if no sample beside this one is less: refine() has searched about it. */
@@ -549,8 +594,10 @@ static void search_column(const flk_samples *x, const flk_sampled *c, flk_bests 
     for (which = 0; which < 2; which++)
         offer_samples(&k, which);
     flk_poles_find(x, c, offer_pole, &k);
-    for (which = 0; which < 2 && !c->of.is_noise; which++)
+    for (which = 0; which < 2 && !c->of.is_noise; which++) {
         refine(&k, which);
+        refine_beside_undefined_ends(&k, which);
+    }
     if (c->vector[0] && !(c->of.turn > 0))
         refine_least_sizes(&k);
 }
