@@ -10,6 +10,7 @@
 #include "base/message.h"
 #include "sketch.h"
 #include "system/format.h"
+#include "system/memory.h"
 
 /* As fractions of the drawing's size: the height of a letter, and */
 #define LETTER 0.028
@@ -254,7 +255,7 @@ void sketch_vector(sketch *s, pen p, fourlink_vector at, fourlink_vector v, doub
     sketch_away(s, at);
     sketch_upright(s, at);
     sketch_arrow(s, p, at, to);
-    if (d->n_items > n + 1 && d->holds[d->n_places - 2])
+    if (!memory_has_failed() && d->n_items > n + 1 && d->holds[d->n_places - 2])
         d->holds[d->n_places - 2] = hold; /* it begins at a place that moves with what was said */
     if (name[0])
         sketch_text(s, to, v.x, v.y, name);
