@@ -54,17 +54,19 @@ static void harmonic(const flk_program_segment *g, double u, shape *x)
     x->second = M_PI * M_PI_2 * cosine;
 }
 
-/* s = u - sin(2 pi u) / (2 pi) */
+/* s = u - sin(2 pi u) / (2 pi),   s' = 1 - cos(2 pi u) = 2 sin^2(pi u); the second half is the first turned */
 static void cycloidal(const flk_program_segment *g, double u, shape *x)
 {
-    double sine, cosine;
+    double half = GSL_MIN(u, 1 - u), sine, cosine;
 
     (void)g;
-    flk_sine_cosine(2 * M_PI * u, &sine, &cosine);
-    x->integral = u * u / 2 - (1 - cosine) / (4 * M_PI * M_PI);
-    x->value = u - sine / (2 * M_PI);
-    x->rate = 1 - cosine;
-    x->second = 2 * M_PI * sine;
+    flk_sine_cosine(M_PI * half, &sine, &cosine);
+    x->integral = half * half / 2 - sine * sine / (2 * M_PI * M_PI);
+    x->value = half - sine * cosine / M_PI;
+    x->rate = 2 * sine * sine;
+    x->second = 4 * M_PI * sine * cosine;
+    if (u > 0.5)
+        turn_half(u, x);
 }
 
 /* s = 10 u^3 - 15 u^4 + 6 u^5 */
@@ -109,7 +111,7 @@ static void modified_sine(const flk_program_segment *g, double u, shape *x)
     }
     x->value *= k;
     x->integral *= k;
-    x->rate = M_PI * k * (1 - (is_middle ? 3 : 1) * cosine);
+    x->rate = M_PI * k * (is_middle ? 1 - 3 * cosine : 2 * gsl_pow_2(flk_sine(2 * M_PI * half)));
     x->second = 4 * M_PI * M_PI * k * sine;
     if (u > 0.5)
         turn_half(u, x);

@@ -89,6 +89,40 @@ TEST(test_laws)
     }
 }
 
+/* Beside rest a speed goes as a power of the distance d, to its digits: by its sign friction acts. */
+TEST(test_laws_beside_rest)
+{
+    static const double ends[] = {0, 1}, k = 1 / (4 + PI);
+    static const struct {
+        flk_law law;
+        double factor;
+        int power;
+    } laws[] = {{FLK_LAW_HARMONIC, PI * PI / 2, 1},
+                {FLK_LAW_CYCLOIDAL, 2 * PI * PI, 2},
+                {FLK_LAW_POLYNOMIAL_5, 30, 2},
+                {FLK_LAW_POLYNOMIAL_7, 140, 3},
+                {FLK_LAW_MODIFIED_SINE, 8 * PI * PI * PI * k, 2},
+                {FLK_LAW_CUBIC, 6, 1},
+                {FLK_LAW_TRAPEZOID, 4.5, 1}};
+    double found[3];
+    size_t i;
+    one x;
+    int n, end;
+
+    for (i = 0; i < sizeof laws / sizeof laws[0]; i++) {
+        through(&x, 1, ends, ends, laws[i].law);
+        prepare(&x);
+        for (n = 8; n <= 40; n++)
+            for (end = 0; end < 2; end++) {
+                double d = ldexp(1, -n);
+
+                flk_program_at(&x.p, end ? 1 - d : d, found);
+                assert_near(found[1] / (laws[i].factor * pow(d, laws[i].power)), 1,
+                            40 * d + 1e-15 / d);
+            }
+    }
+}
+
 TEST(test_splines)
 {
     static const double t[] = {0, 0.2, 0.5, 0.7, 1}, q[] = {0, 0.5, 1.6, 1.4, 0};

@@ -22,7 +22,7 @@
 #define ROWS 4000    /* of the dense search */
 #define INSTANTS 4   /* of a deck that are compared */
 #define AGREES 1e-10 /* of a column's size: a row */
-#define SMOOTH 2e-8  /* ... an extreme, also beside an end at which the crank comes to rest; */
+#define SMOOTH 1e-8  /* ... an extreme; */
 #define AT_DEAD 1e-6 /* ... of an input that goes to its dead centre */
 #define SUMMED 2e-5  /* ... a mean; loads jump */
 #define NARROW 1e-3  /* m or rad, of an output: a range too narrow for its rows, or too far away, */
