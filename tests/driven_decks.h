@@ -212,7 +212,7 @@ static void compare_driven_branch(const side *b, fourlink_branch branch, double 
     present->cases++;
     status = fourlink_results_row(c.r, branch, 0, row, NULL, NULL);
     to_si(&c.c, row);
-    condition = find_scales(&c.c, row, problem_of(c.r).mechanism.design.link, fabs(w), scale);
+    condition = find_scales(&c.c, row, crank, fabs(w), scale);
     size = condition * condition * fmax(1, 1 / K);
     if (is_other_solution(b, &c, driven, row,
                           size * (scale[QUANTITY_TORQUE] + scale[QUANTITY_FORCE] * crank))) {

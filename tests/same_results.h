@@ -202,11 +202,10 @@ static double named(const columns *c, const double *row, const char *name)
 static double inertia_in_doubt;
 
 /* Of a row in SI units, the scale of each quantity, and 1 / sin(mu); `w` is the speed of the crank, or what counts as it. */
-static double find_scales(const columns *c, const double *row, const fourlink_link *links, double w,
+static double find_scales(const columns *c, const double *row, double crank, double w,
                           double *scale)
 {
-    double crank = links[FOURLINK_CRANK].length, a = fabs(named(c, row, "alpha2")), condition, arm,
-           x;
+    double a = fabs(named(c, row, "alpha2")), condition, arm, x;
     int j;
 
     for (j = 0; j < QUANTITY_COUNT; j++)
@@ -227,8 +226,6 @@ static double find_scales(const columns *c, const double *row, const fourlink_li
     AT_LEAST(SPEED, crank * w);
     AT_LEAST(ACCELERATION, crank * (w * w + a));
     AT_LEAST(TORQUE, scale[QUANTITY_FORCE] * arm);
-    for (j = FOURLINK_CRANK; j <= FOURLINK_FOLLOWER; j++)
-        AT_LEAST(TORQUE, links[j].inertia * scale[QUANTITY_ANGULAR_ACCELERATION]);
     AT_LEAST(FORCE, scale[QUANTITY_TORQUE] / arm);
     AT_LEAST(TORQUE, inertia_in_doubt * w * w);
     AT_LEAST(POWER, scale[QUANTITY_TORQUE] * w);
@@ -388,22 +385,17 @@ static double doubt_of_accelerations = 1; /* ... and these and what follows from
 static int was_locked;
 static fourlink_branch compared; /* of the rows */
 
-/* A steady motion gathers what a cycle leaves of a difference. */
-static double doubt_of_steady(fourlink_results *r)
-{
-    fourlink_value rate;
-
-    return fourlink_results_value(r, "steady_rate", compared, 0, &rate) == FOURLINK_OK
-               ? 1 / fmax(1e-4, 1 - fabs(rate.value))
-               : 1;
-}
-
-/* By how much more a row may be wrong than the integration of a turn: that errs in each one. */
+/* By how much more a row may be wrong than the integration of a turn: that errs in each one, and a steady motion gathers
+** what a cycle leaves of a difference. */
 static double doubt_of_motion(fourlink_results *r, double theta2)
 {
+    fourlink_value rate;
     double turns = 1 + fabs(theta2) / (2 * PI);
 
-    return strstr(base_text, "mode = steady") ? turns * doubt_of_steady(r) : turns;
+    if (strstr(base_text, "mode = steady") &&
+        fourlink_results_value(r, "steady_rate", compared, 0, &rate) == FOURLINK_OK)
+        turns /= fmax(1e-4, 1 - fabs(rate.value));
+    return turns;
 }
 
 /* The same of a program: its times are rounded, so that the length of a segment is known to eps t / length, and forces follow
@@ -447,11 +439,10 @@ static double compare_rows(const side *a, const side *b, double *expected, doubl
     }
     quickest = fmax(sort == COMPUTED_ROW || strstr(base_text, "\nprogram = ") ? quickest : 0,
                     fabs(named(&a->c, expected, "omega2")));
-    condition =
-        find_scales(&a->c, expected, problem_of(b->r).mechanism.design.link, quickest, scale);
+    condition = find_scales(&a->c, expected, problem_of(b->r).mechanism.design.link[2].length,
+                            quickest, scale);
     for (j = 0; j < QUANTITY_COUNT && sort == COMPUTED_ROW && strstr(base_text, "[motor]"); j++)
         scale[j] = fmax(scale[j], size_of_quantity[j]); /* a steep motor has the speed's error */
-    scale[QUANTITY_POWER] = fmax(scale[QUANTITY_POWER], scale[QUANTITY_TORQUE] * quickest);
     turns = sort == COMPUTED_ROW ? doubt_of_motion(a->r, named(&a->c, expected, "theta2"))
                                  : doubt_of_program();
     for (j = 0; j < a->c.n; j++) {
@@ -585,10 +576,7 @@ static int compare_branch_rows(const side *a, const side *b, fourlink_branch bra
             present->undecided++;
             continue;
         }
-        /* the crank's angle at which the input stands still is known to the root of a rounding error */
-        doubt *= status == FOURLINK_INPUT_DEAD_CENTRE ? 1e4 : 1;
         condition = compare_rows(a, b, expected, row, where);
-        doubt /= status == FOURLINK_INPUT_DEAD_CENTRE ? 1e4 : 1;
         is_near |=
             status != FOURLINK_OK || condition > NEAR_DEAD || named(&a->c, expected, "omega2") == 0;
     }
@@ -602,7 +590,6 @@ static int sort_of_statistic(int which, int is_near)
            : is_near                         ? NEAR_EXTREME
            : which < FOURLINK_MEAN           ? EXTREME
            : strstr(base_text, "[friction]") ? RUBBING_MEAN
-           : is_computed(base_text)          ? COMPUTED_FACT
                                              : MEAN;
 }
 
@@ -778,9 +765,7 @@ static void compare_facts(const side *a, const side *b, fourlink_branch branch)
                                            "flywheel_inertia flywheel_fluctuation ")
                     ? fabs(expected) * doubt_of_energies(facts, n)
                 : strcmp(facts[i].name, "steady_rate") == 0 ? 100 /* of differences, over a cycle */
-                : strcmp(facts[i].name, "fluctuation_exact") == 0
-                    ? fmax(fabs(expected), 1e-4)  /* a difference of speeds */
-                : strcmp(facts[i].name, "K") == 0 /* a difference of squares */
+                : strcmp(facts[i].name, "K") == 0                 /* a difference of squares */
                     ? fmax(fabs(expected), d * d)
                     : fabs(expected);
         if (!present->is_exact && strcmp(facts[i].quantity, "angle") == 0) {
@@ -791,7 +776,7 @@ static void compare_facts(const side *a, const side *b, fourlink_branch branch)
                         ? 1e3
                         : 1;
         }
-        scale *= doubt_of_steady(a->r);
+        scale *= doubt_of_motion(a->r, 0);
         compare(is_fitted                ? FITTED
                 : is_computed(base_text) ? COMPUTED_FACT
                                          : FACT,
