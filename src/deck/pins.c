@@ -155,6 +155,16 @@ static void place_link(deck_pins *pins, int link, fourlink_vector origin, fourli
     pins->axis[link].y = along.y / length;
 }
 
+/* A direction in the frame with an x axis. */
+static fourlink_vector in_frame(fourlink_vector u, fourlink_vector axis)
+{
+    fourlink_vector v;
+
+    v.x = FLK_DOT(u, axis);
+    v.y = FLK_CROSS(axis, u);
+    return v;
+}
+
 /* A place or a direction of the ground's frame on the page. */
 static fourlink_vector on_page(const deck_pins *pins, fourlink_vector u, int is_place)
 {
@@ -169,14 +179,10 @@ static fourlink_vector on_page(const deck_pins *pins, fourlink_vector u, int is_
 /* A place or a direction of the page in the ground's frame. */
 static fourlink_vector on_ground(const deck_pins *pins, fourlink_vector u, int is_place)
 {
-    fourlink_vector axis, v;
+    fourlink_vector axis;
 
     flk_sine_cosine(pins->angle, &axis.y, &axis.x);
-    if (is_place)
-        u = minus(u, pins->A);
-    v.x = FLK_DOT(u, axis);
-    v.y = FLK_CROSS(axis, u);
-    return v;
+    return in_frame(is_place ? minus(u, pins->A) : u, axis);
 }
 
 static void place_assembled(deck_pins *pins, int link, const fourlink_state *state)
@@ -376,9 +382,7 @@ int flk_pins_place(parser *p, const setting *s, int link, fourlink_vector *at)
     }
     place.x = s->si[0];
     place.y = s->si[1];
-    place = minus(place, origin);
-    at->x = FLK_DOT(place, axis);
-    at->y = FLK_CROSS(axis, place);
+    *at = in_frame(minus(place, origin), axis);
     return 1;
 }
 

@@ -107,10 +107,11 @@ void sketch_upright(sketch *s, fourlink_vector at)
 
 void sketch_along(sketch *s, fourlink_vector from, int link, fourlink_vector to, int is_stretched)
 {
-    unsigned long key = next_part(s);
+    unsigned long key;
 
     if (!s->c->motion)
         return;
+    key = next_part(s);
     add_frame(s, key, from)->size = is_stretched;
     sketch_with(s, link);
     display_add_place(s->c->d, in_unit(s, turned(s, to)));
