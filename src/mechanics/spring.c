@@ -251,7 +251,7 @@ int flk_spring_winds(const fourlink_mechanism *mechanism, const fourlink_spring 
     fourlink_state first, last;
     int i, winds = 0;
 
-    for (i = 0; i < 2 && spring->is_torsional && spring->stiffness != 0; i++)
+    for (i = 0; i < 2 && spring->is_torsional && (spring->stiffness != 0 || spring->only); i++)
         winds |= fourlink_position(&bare, branches[i], theta2, &first) == FOURLINK_OK &&
                  fourlink_position(&bare, branches[i], theta2 + period, &last) == FOURLINK_OK &&
                  fabs(angle_between(mechanism, &last, spring) -
@@ -282,13 +282,19 @@ static double switching(const flk_element *element, const flk_machine *machine,
     return stretch_of(&machine->mechanism, state, element->data);
 }
 
+/* An angle that winds up passes the free one in one of many turns: the crank angles of this and of all whole turns from it
+** repeat. */
 static size_t list_spring_switches(const flk_element *element, const flk_machine *machine,
                                    flk_switch *list)
 {
     const fourlink_spring *spring = element->data;
 
     (void)machine;
-    return spring->only ? flk_switch_of_element(element, list) : 0;
+    if (!spring->only)
+        return 0;
+    flk_switch_of_element(element, list);
+    list->period = spring->is_torsional ? 2 * M_PI : 0;
+    return 1;
 }
 
 const flk_element_type flk_spring_type = {FOURLINK_LOAD_SPRING, apply_spring, list_spring_switches,

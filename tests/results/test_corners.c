@@ -199,6 +199,74 @@ TEST(test_positions_by_samples)
     assert_true(n_found > 200);
 }
 
+/* How far a torsional spring is from its free angle. */
+static double wound(const deck *d, fourlink_branch branch, double theta2)
+{
+    const fourlink_mechanism *m = &d->machine.mechanism;
+    const fourlink_spring *spring = flk_machine_find(&d->machine, &flk_spring_type, 0)->data;
+    fourlink_spring_state at;
+    fourlink_state state;
+
+    assert_int_equal(fourlink_position(m, branch, theta2, &state), FOURLINK_OK);
+    assert_int_equal(fourlink_spring_at(m, &state, spring, &at), FOURLINK_OK);
+    return at.length - spring->free_length;
+}
+
+/* A torsional rope or buffer that winds up by a turn in each of the lever's begins or ceases to act in one of three turns
+** of the crank: there a piece ends, by bisection between samples, and the motion does not repeat. */
+TEST(test_winding_by_samples)
+{
+    static const char *const links[] = {"crank", "lever", "slider"};
+    uint64_t seed = 11;
+    int number, n_found = 0, k, j;
+
+    for (number = 0; number < 200; number++) {
+        int turn = number % 2 ? 1 : -1;
+        double from = uniform(&seed, -900, 900) * DEG;
+        char contents[1000];
+        flk_piece list[MOST];
+        flk_course course;
+        flk_acting acting;
+        size_t n;
+        deck d;
+
+        sprintf(contents,
+                "mechanism = inverted-slider-crank\n[ground]\nlength = %.17g mm\n[crank]\n"
+                "length = 90 mm\n[lever]\noffset = %.17g mm\n[spring S]\nlink = %s\nto = "
+                "ground\nonly = %s\nfree_angle = %.17g deg\ndamping = 1 N m s/rad\n[motion]\n"
+                "speed = %d rad/s\nfrom = %.17g deg\nto = %.17g deg\n",
+                uniform(&seed, 10, 40), uniform(&seed, -40, 40), links[number % 3],
+                number % 4 < 2 ? "pulls" : "pushes", uniform(&seed, -400, 400), turn, from / DEG,
+                from / DEG + turn * 1079);
+        n = list_pieces(contents, 1, list);
+        read_deck(contents, &d);
+        for (k = 0; k + 1 < SAMPLES; k++) {
+            double low = 1079 * DEG * (k + 0.31) / SAMPLES, high = low + 1079 * DEG / SAMPLES;
+            double before = wound(&d, FOURLINK_OPEN, from + turn * low);
+
+            if (!(before * wound(&d, FOURLINK_OPEN, from + turn * high) < 0))
+                continue;
+            for (j = 0; j < 60; j++) {
+                double middle = (low + high) / 2;
+
+                if (before * wound(&d, FOURLINK_OPEN, from + turn * middle) > 0)
+                    low = middle;
+                else
+                    high = middle;
+            }
+            n_found++;
+            if (!find_end(list, n, low / DEG))
+                fail_msg("no piece ends at %.12g deg\n%s", low / DEG, contents);
+        }
+        memset(&acting, 0, sizeof acting);
+        assert_true(flk_course_open(&course, &d, &acting, NULL));
+        assert_false(flk_course_repeats(&course));
+        flk_course_close(&course);
+        flk_deck_free(&d);
+    }
+    assert_true(n_found > 60);
+}
+
 /* A motion that begins at a change point, and not a little beside it. */
 TEST(test_begin_at_a_change_point)
 {
