@@ -238,11 +238,44 @@ static void sharpen(flk_function *f, sought *k, double low, double high, flk_sam
     take_top(f, k, &of, middle - step, middle + step, EQUAL * size_of(k, best->value), best);
 }
 
+/* Two peaks can be beside one sample, which is lower than both: if the column rises on the other side of the sample too,
+** search there. */
+#define ON_OTHER_SIDE 0.25 /* of the way to the next sample */
+
+static void take_other_side(sought *k, const flk_sample at[3], flk_sample *top)
+{
+    int other = top->x > at[1].x ? 0 : 2;
+    flk_sample beside[3], second;
+
+    beside[0] = at[other == 0 ? 0 : 1];
+    beside[1].x = at[1].x + ON_OTHER_SIDE * (at[other].x - at[1].x);
+    beside[1].value = peak_at(beside[1].x, k);
+    beside[2] = at[other == 0 ? 1 : 2];
+    if (!(beside[1].value > at[1].value))
+        return;
+    second = flk_find_peak(peak_at, k, beside, EQUAL * fabs(beside[1].value));
+    if (second.value > top->value)
+        *top = second;
+}
+
+/* Search between the neighbours of a sample, from the best place so far. */
+static flk_sample search_peak(sought *k, const flk_sample at[3], const flk_sample *best)
+{
+    flk_sample from[3], top;
+
+    from[0] = at[0];
+    from[1] = *best;
+    from[2] = at[2];
+    top = flk_find_peak(peak_at, k, from, EQUAL * fabs(best->value));
+    take_other_side(k, at, &top);
+    return top;
+}
+
 /* The peak between the neighbours of sample i. */
 static flk_sample find_peak(sought *k, size_t i)
 {
     flk_polynomial of;
-    flk_sample at[3];
+    flk_sample at[3], top;
     double size, bend;
 
     at[0] = sample_of(k, i - 1);
@@ -251,12 +284,12 @@ static flk_sample find_peak(sought *k, size_t i)
     through(k, i, &of);
     size = size_of(k, at[1].value);
     bend = 2 * at[1].value - at[0].value - at[2].value;
+    top = at[1];
     if (!take_top(peak_at, k, &of, at[0].x, at[2].x,
-                  GSL_MAX_DBL(EQUAL * size, GSL_MIN_DBL(AGREED * size, AGREED_BEND * bend)),
-                  &at[1]))
-        at[1] = flk_find_peak(peak_at, k, at, EQUAL * fabs(at[1].value));
-    sharpen(peak_at, k, at[0].x, at[2].x, &at[1]);
-    return at[1];
+                  GSL_MAX_DBL(EQUAL * size, GSL_MIN_DBL(AGREED * size, AGREED_BEND * bend)), &top))
+        top = search_peak(k, at, &top);
+    sharpen(peak_at, k, at[0].x, at[2].x, &top);
+    return top;
 }
 
 /* Take the top of the parabola through the end and two places beside it, closer than these. */
