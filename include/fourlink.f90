@@ -294,6 +294,14 @@ module fourlink
       type(c_ptr), value :: instant, loads
     end function fourlink_results_at
 
+    integer(c_int) function fourlink_results_size(results, handle, instant, size) bind(c)
+      import
+      type(c_ptr), value :: results
+      integer(c_int), value :: handle
+      type(c_ptr), value :: instant
+      real(c_double), intent(inout) :: size
+    end function fourlink_results_size
+
     integer(c_int) function fourlink_results_along(results, branch, place, values, instant, loads) &
         bind(c)
       import

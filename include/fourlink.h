@@ -623,6 +623,20 @@ FOURLINK_API int fourlink_results_on_side(fourlink_results *results, fourlink_br
                                           int side, double place, double *values,
                                           fourlink_instant *instant, fourlink_load *loads);
 
+/* What the rounding error of a column is a small part of in a row, where that does not follow from the machine: of a spring,
+** which can be far weaker than the machine, or far stronger.
+**
+** Given:
+**    handle     of a column of a spring, or of its extremes
+**    instant    of a row, as from fourlink_results_row
+** Returned:
+**    size       in the unit of the column
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NO_SUCH_NAME: another column, for which there is none, or no row
+*/
+FOURLINK_API int fourlink_results_size(fourlink_results *results, int handle,
+                                       const fourlink_instant *instant, double *size);
+
 /* Many rows of any columns, by their handles.
 **
 ** Given:

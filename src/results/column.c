@@ -358,6 +358,11 @@ int flk_column_flags(const flk_column *c)
            (c->info->need & (NEED_FORCES | NEED_ENGINE) ? FOURLINK_OF_FORCES : 0);
 }
 
+double flk_column_size(const flk_column *c, const flk_row *row)
+{
+    return c->source->size ? c->scale * c->source->size(c, row) : GSL_NAN;
+}
+
 int flk_column_need(const flk_column *c)
 {
     return c->info->need;

@@ -146,4 +146,4 @@ static const char *drive_lacks(const deck *d, size_t i, char words[MESSAGE_SIZE]
 }
 
 const flk_column_source flk_drive_columns = {
-    named, NAMED, count_drives, make_of_drive, drive_lacks, value_of_drive, NULL, 0};
+    named, NAMED, count_drives, make_of_drive, drive_lacks, value_of_drive, NULL, NULL, 0};

@@ -161,4 +161,4 @@ static double value_of_output(const flk_column *c, const flk_row *row)
 }
 
 const flk_column_source flk_output_columns = {
-    NULL, 0, count_outputs, make_of_output, NULL, value_of_output, vector_of_output, 0};
+    NULL, 0, count_outputs, make_of_output, NULL, value_of_output, vector_of_output, NULL, 0};

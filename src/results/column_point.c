@@ -73,7 +73,7 @@ static int make_of_point(const flk_analysis *a, size_t i, flk_column *c)
 }
 
 const flk_column_source flk_point_columns = {
-    NULL, 0, count_points, make_of_point, NULL, value_of_point, vector_of_point, 0};
+    NULL, 0, count_points, make_of_point, NULL, value_of_point, vector_of_point, NULL, 0};
 
 /* ------------------------------------------------------------------------------- that every deck has */
 
@@ -173,6 +173,12 @@ int flk_column_same_points(const deck *d, const deck *other)
     return 1;
 }
 
-const flk_column_source flk_own_point_columns = {
-    own_table,        OWN_COUNT,      count_own_points, make_of_own_point,
-    why_no_own_point, value_of_point, vector_of_point,  0};
+const flk_column_source flk_own_point_columns = {own_table,
+                                                 OWN_COUNT,
+                                                 count_own_points,
+                                                 make_of_own_point,
+                                                 why_no_own_point,
+                                                 value_of_point,
+                                                 vector_of_point,
+                                                 NULL,
+                                                 0};

@@ -43,6 +43,8 @@ typedef struct flk_column {
 **           are null
 ** value     in SI units, of a row that could be computed, or of the crank
 ** vector    of a column whose form is that of a vector's size or direction: the vector, in SI units
+** size      in SI units, what the rounding error of its value in a row is a small part of; null: that follows from the
+**           machine (samples.c)
 ** is_apart  1: decks have them by name only; `all` and the lists leave them out
 */
 struct flk_column_source {
@@ -53,6 +55,7 @@ struct flk_column_source {
     const char *(*lacks)(const deck *d, size_t i, char words[MESSAGE_SIZE]);
     double (*value)(const flk_column *c, const flk_row *row);
     void (*vector)(const flk_column *c, const flk_row *row, double *x, double *y);
+    double (*size)(const flk_column *c, const flk_row *row);
     int is_apart;
 };
 

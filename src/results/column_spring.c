@@ -2,8 +2,11 @@
 **
 ** column_spring.c - the columns of springs and dampers.
 */
+#include <math.h>
+
 #include <gsl/gsl_math.h>
 
+#include "base/trig.h"
 #include "column_list.h"
 #include "column_source.h"
 #include "mechanics/spring.h"
@@ -55,5 +58,40 @@ static double value_of_spring(const flk_column *c, const flk_row *row)
                                : at.power;
 }
 
+/* How far an end of a spring is from A and how fast it is, added to d and u; of a torsional one half a turn, and how fast the
+** link turns. */
+static void add_end(const fourlink_spring *spring, const fourlink_state *state, int link,
+                    const fourlink_vector *at, double *d, double *u)
+{
+    fourlink_vector P = *at, v = {0, 0};
+
+    if (link != FOURLINK_GROUND)
+        fourlink_point(state, link, at, &P, &v, NULL);
+    *d += spring->is_torsional ? M_PI : flk_length(P.x, P.y);
+    *u += !spring->is_torsional     ? flk_length(v.x, v.y)
+          : link == FOURLINK_GROUND ? 0
+                                    : fabs(state->link[link].omega);
+}
+
+/* The rounding error of a spring follows from that of d and u: those of the force are k d and c u, of the energy F d, and of
+** the power that of the force times u. */
+static double size_of_spring(const flk_column *c, const flk_row *row)
+{
+    const fourlink_spring *spring = c->of.spring;
+    fourlink_spring_state at;
+    double d = 0, u = 0, force;
+
+    add_end(spring, &row->at.state, spring->link, &spring->at, &d, &u);
+    add_end(spring, &row->at.state, spring->to, &spring->to_at, &d, &u);
+    force = fabs(spring->stiffness) * d + fabs(spring->preload) + spring->damping * u;
+    if (fourlink_spring_at(&c->d->machine.mechanism, &row->at.state, spring, &at) != FOURLINK_OK)
+        return force;
+    at.force = spring->stiffness * (at.length - spring->free_length) + spring->preload;
+    return c->component == 0   ? d
+           : c->component == 1 ? force
+           : c->component == 2 ? fabs(at.force) * d
+                               : force * u;
+}
+
 const flk_column_source flk_spring_columns = {
-    NULL, 0, count_springs, make_of_spring, NULL, value_of_spring, NULL, 0};
+    NULL, 0, count_springs, make_of_spring, NULL, value_of_spring, NULL, size_of_spring, 0};

@@ -199,13 +199,25 @@ static void vector_of_opposite(const flk_column *c, const flk_row *row, double *
     *y = 0 - FLK_ROW_NUMBER(row, c->info->y);
 }
 
-const flk_column_source flk_table_columns = {
-    table,           TABLE_COUNT,    count_table,     make_of_table,
-    why_table_lacks, value_of_table, vector_of_table, 0};
+const flk_column_source flk_table_columns = {table,
+                                             TABLE_COUNT,
+                                             count_table,
+                                             make_of_table,
+                                             why_table_lacks,
+                                             value_of_table,
+                                             vector_of_table,
+                                             NULL,
+                                             0};
 
-const flk_column_source flk_opposite_columns = {
-    opposites,       OPPOSITE_COUNT,    count_opposites,    make_opposite,
-    why_no_opposite, value_of_opposite, vector_of_opposite, 1};
+const flk_column_source flk_opposite_columns = {opposites,
+                                                OPPOSITE_COUNT,
+                                                count_opposites,
+                                                make_opposite,
+                                                why_no_opposite,
+                                                value_of_opposite,
+                                                vector_of_opposite,
+                                                NULL,
+                                                1};
 
 double flk_denominator_13(const fourlink_state *state)
 {

@@ -605,6 +605,26 @@ int fourlink_results_get(fourlink_results *r, int handle, fourlink_branch branch
     return flk_name_value(r->now, &n, branch, angle, value);
 }
 
+int fourlink_results_size(fourlink_results *r, int handle, const fourlink_instant *now,
+                          double *size)
+{
+    flk_statistic statistic;
+    flk_column c;
+    flk_row row;
+    double own;
+
+    if (!r || !now || !size)
+        return FOURLINK_NULL;
+    if (now->status != FOURLINK_OK || !flk_column_of_handle(&r->now->a, handle, &c, &statistic))
+        return FOURLINK_NO_SUCH_NAME;
+    row.at = *now;
+    own = flk_column_size(&c, &row);
+    if (gsl_isnan(own))
+        return FOURLINK_NO_SUCH_NAME;
+    *size = own;
+    return FOURLINK_OK;
+}
+
 int fourlink_results_value(fourlink_results *r, const char *name, fourlink_branch branch,
                            double angle, fourlink_value *value)
 {

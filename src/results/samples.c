@@ -528,10 +528,11 @@ double flk_samples_scale(const flk_samples *x, const flk_sampled *c, const flk_r
     const fourlink_design *design = &x->f.a->d->machine.mechanism.design;
     const fourlink_forces *f = &row->at.forces;
     flk_scale scale = {0, 0, 0, 0};
+    double own = flk_column_size(c->of.c, row);
     int i;
 
-    if (c->of.turn > 0)
-        return c->of.turn;
+    if (c->of.turn > 0 || !gsl_isnan(own))
+        return c->of.turn > 0 ? c->of.turn : own;
     for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++)
         flk_scale_take(&scale.length, design->link[i].length);
     for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++) {

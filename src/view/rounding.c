@@ -93,11 +93,13 @@ void view_find_sizes(const view *v, const fourlink_instant *now, const fourlink_
 static double size_of(const view *v, const fourlink_value *column, const fourlink_instant *now,
                       const fourlink_load *loads)
 {
-    double sizes[QUANTITY_COUNT];
+    double sizes[QUANTITY_COUNT], own;
     quantity q = flk_quantity_find(column->quantity);
     int has_friction =
         column->flags & FOURLINK_OF_FORCES && !(column->flags & FOURLINK_FRICTIONLESS);
 
+    if (fourlink_results_size(v->results, column->handle, now, &own) == FOURLINK_OK)
+        return growth_of(&now->state) * own;
     find_sizes(v, now, loads, has_friction || !v->problem.has_friction, sizes);
     return view_value(v, q, sizes[q]);
 }

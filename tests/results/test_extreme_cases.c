@@ -519,6 +519,70 @@ TEST(test_small_beside_pin_forces)
     }
 }
 
+/* The energy and the power of a spring between crank and ground, by its length: of n steps of a turn the extremes. */
+static void find_by_length(double a, double b, double k, double free_length, double speed,
+                           double most[2], double least[2])
+{
+    int n = 20000, i, j;
+
+    for (i = 0; i <= n; i++) {
+        double psi = 2 * PI * i / n, length = sqrt(a * a + b * b - 2 * a * b * cos(psi));
+        double past = length - free_length, value[2];
+
+        value[0] = k * past * past / 2;
+        value[1] = -k * past * speed * a * b * sin(psi) / length;
+        for (j = 0; j < 2; j++) {
+            most[j] = i ? fmax(most[j], value[j]) : value[j];
+            least[j] = i ? fmin(least[j], value[j]) : value[j];
+        }
+    }
+}
+
+/* The extremes of a spring do not depend on how large the machine is, nor on its masses. */
+TEST(test_weak_spring_of_a_large_machine)
+{
+    static const char *const names[] = {"S.energy", "S.power"};
+    uint64_t seed = 5;
+    int i, j;
+
+    for (i = 0; i < some_of(1000); i++) {
+        double R = pow(10, uniform(&seed, -1, 4)), a = pow(10, uniform(&seed, -2, -1)),
+               b = a * uniform(&seed, 1.2, 3), k = pow(10, uniform(&seed, -4, 3)),
+               speed = pow(10, uniform(&seed, -1, 3)) * (i % 2 ? 1 : -1),
+               free_length = uniform(&seed, 0.1, 1.2) * (a + b), most[2], least[2], size;
+        fourlink_instant now;
+        fourlink_value found;
+        fourlink_results *r = opened(print(
+            "%s[piston]\nmass = %.17g kg\n[spring S]\nlink = crank\nat = (%.17g, 0) m\nto = "
+            "ground\nto_at = (%.17g, 0) m\nstiffness = %.17g N/m\nfree_length = %.17g m\n"
+            "[motion]\nspeed = %.17g rad/s\nfrom = %.17g deg\n[table]\ncolumns = S.energy, "
+            "S.power, Ts\n",
+            slider_crank(R, R * uniform(&seed, 1.5, 4), 0, ""), pow(10, uniform(&seed, -1, 6)), a,
+            b, k, free_length, speed, uniform(&seed, 0, 360)));
+
+        find_by_length(a, b, k, free_length, speed, most, least);
+        for (j = 0; j < 2; j++) {
+            double width = fmax(fabs(most[j]), fabs(least[j]));
+            double above = named(r, print("max(%s)", names[j]), FOURLINK_OPEN, 0).value - most[j];
+            double below = least[j] - named(r, print("min(%s)", names[j]), FOURLINK_OPEN, 0).value;
+
+            if (!(above >= -1e-12 * width && above <= 1e-6 * width && below >= -1e-12 * width &&
+                  below <= 1e-6 * width))
+                fail_msg("case %d: the extremes of %s are %.3g above and %.3g below %.12g, %.12g",
+                         i, names[j], above, below, most[j], least[j]);
+            assert_int_equal(fourlink_results_row(r, FOURLINK_OPEN, 1, NULL, &now, NULL),
+                             FOURLINK_OK);
+            assert_int_equal(fourlink_results_find(r, names[j], &found), FOURLINK_OK);
+            assert_int_equal(fourlink_results_size(r, found.handle, &now, &size), FOURLINK_OK);
+            assert_true(size > 0 && 1e-9 * size < width);
+        }
+        assert_int_equal(fourlink_results_find(r, "Ts", &found), FOURLINK_OK);
+        assert_int_equal(fourlink_results_size(r, found.handle, &now, &size),
+                         FOURLINK_NO_SUCH_NAME);
+        fourlink_results_free(r);
+    }
+}
+
 /* 1 if a row at the angle of an extreme has its value or, where there is none, one just beside it nearly. */
 static int is_attained(fourlink_results *r, fourlink_branch branch, const fourlink_value *x)
 {

@@ -27,6 +27,7 @@ TEST(test_null_pointers)
     fourlink_results *r = NULL;
     const fourlink_value *list;
     fourlink_mistake mistake;
+    fourlink_instant instant;
     fourlink_turning turning;
     fourlink_value value;
     fourlink_check check;
@@ -58,6 +59,9 @@ TEST(test_null_pointers)
                      FOURLINK_NULL);
     assert_int_equal(fourlink_results_at(NULL, FOURLINK_OPEN, 0, &x, NULL, NULL), FOURLINK_NULL);
     assert_int_equal(fourlink_results_along(NULL, FOURLINK_OPEN, 0, &x, NULL, NULL), FOURLINK_NULL);
+    assert_int_equal(fourlink_results_size(NULL, 0, &instant, &x), FOURLINK_NULL);
+    assert_int_equal(fourlink_results_size(r, 0, NULL, &x), FOURLINK_NULL);
+    assert_int_equal(fourlink_results_size(r, 0, &instant, NULL), FOURLINK_NULL);
     assert_int_equal(fourlink_results_value(NULL, "mu", FOURLINK_OPEN, 0, &value), FOURLINK_NULL);
     assert_int_equal(fourlink_results_value(r, NULL, FOURLINK_OPEN, 0, &value), FOURLINK_NULL);
     assert_int_equal(fourlink_results_value(r, "mu", FOURLINK_OPEN, 0, NULL), FOURLINK_NULL);
