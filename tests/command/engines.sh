@@ -123,7 +123,8 @@ CONFIG
         trap 'end_daemons; rmdir /run/sshd; chmod -R u+w "$work"; rm -rf "$work"' EXIT
     fi
     daemon sshd.log "$(command -v sshd)" -D -e -f "$work/sshd_config"
-    check "sshd answers: $(cat sshd.log)" wait_for 10 bin/ssh host1 true
+    wait_for 10 bin/ssh host1 true
+    check "sshd answers: $(cat sshd.log)" bin/ssh host1 true
     rm -f host1/commands
 
     recipe 'Several machines over ssh' parallel.sh
@@ -186,10 +187,12 @@ on_slurm() {
     chmod 600 munge.key
     daemon munged.log munged --foreground --key-file="$work/munge.key" --socket="$work/munge.socket" \
         --pid-file="$work/munge.pid" --seed-file="$work/munge.seed"
-    check "munged answers: $(cat munged.log)" wait_for 10 munge -n --socket="$work/munge.socket"
+    wait_for 10 munge -n -o /dev/null --socket="$work/munge.socket"
+    check "munged answers: $(cat munged.log)" munge -n -o /dev/null --socket="$work/munge.socket"
     daemon slurmctld.log slurmctld -D -i
     daemon slurmd.log slurmd -D
-    check "the node is idle: $(tail -n 3 slurmctld.log slurmd.log)" wait_for 30 sh -c 'sinfo -h -o %t | grep -qx idle'
+    wait_for 30 sh -c 'sinfo -h -o %t | grep -qx idle'
+    check "the node is idle: $(tail -n 3 slurmctld.log slurmd.log)" sh -c 'sinfo -h -o %t | grep -qx idle'
 
     mkdir jobs
     recipe Slurm jobs/this-file
