@@ -57,7 +57,7 @@ int flk_build_kind(parser *p)
         return 0;
     kind = (fourlink_kind)s->word;
     p->d->machine.mechanism.design.kind = kind;
-    p->d->has_cylinder = flk_word_has_cylinder(s->value);
+    p->d->has_cylinder = kind == FOURLINK_INVERTED_SLIDER_CRANK && flk_word_has_cylinder(s->value);
     words = fourlink_kind_text((int)kind);
     for (i = 0; i < p->n_uses; i++) {
         const section_use *use = &p->uses[i];

@@ -302,11 +302,12 @@ static void list_conditions(flk_opened *o)
     }
 }
 
-/* Allocate the facts and all lists in one piece, with as many names; 0 if out of memory. */
+/* Allocate the facts and all lists in one piece, with as many names; 0 if out of memory.  A piece that is the largest part of
+** a design stays with the C library's heap: smaller ones went back to the system with each design of a sweep. */
 static int allocate(flk_opened *o)
 {
     size_t columns = flk_column_limit(&o->d), size[FOURLINK_CONDITIONS + 1], total = FLK_FACT_LIMIT;
-    size_t n = size[0] = FLK_FACT_LIMIT + FLK_STATISTICS * columns;
+    size_t n = size[0] = FLK_FACT_LIMIT + FLK_STATISTICS * columns, n_names;
     int i;
 
     size[FOURLINK_COLUMNS] = size[FOURLINK_ALL_COLUMNS] = columns;
@@ -315,12 +316,13 @@ static int allocate(flk_opened *o)
     size[FOURLINK_OUTPUTS] = size[FOURLINK_CONDITIONS] = MOST_OUTPUTS;
     for (i = 0; i <= FOURLINK_CONDITIONS; i++)
         total += size[i];
+    n_names = total + flk_line_unit_limit(&o->d) + FLK_AT_NAMES;
     o->columns = malloc(columns * sizeof *o->columns);
-    o->facts.names = malloc((total + flk_line_unit_limit(&o->d) + FLK_AT_NAMES) * DECK_NAME_SIZE);
-    o->facts.list = malloc(total * sizeof *o->facts.list);
+    o->facts.list = malloc(total * sizeof *o->facts.list + n_names * DECK_NAME_SIZE);
     o->checks = calloc(GSL_MIN(o->d.n_expectations, FLK_CHECKS_KEPT) + 1, sizeof *o->checks);
-    if (!o->columns || !o->facts.names || !o->facts.list || !o->checks)
+    if (!o->columns || !o->facts.list || !o->checks)
         return 0;
+    o->facts.names = (char *)(o->facts.list + total);
     for (i = 1; i <= FOURLINK_CONDITIONS; n += size[i++]) {
         o->lists[i].list = o->facts.list + n;
         o->lists[i].names = o->facts.names + n * DECK_NAME_SIZE;
@@ -553,7 +555,6 @@ void flk_opened_free(flk_opened *o)
     free(o->columns);
     free(o->checks);
     free(o->rows);
-    free(o->facts.names);
     free(o->facts.list);
     free(o);
 }
