@@ -201,7 +201,7 @@ TEST(test_solutions)
         FOUR_BAR "[synthesis]\ntask = motion\npositions = (0, 0) m 0 deg, (1.2, 0.5) m 18 deg, "
                  "(2.1, 1.6) m 47 deg\nleft = fixed (0.5, 3.5) m\nright = fixed (0.5, -1) m\n"};
     uint64_t seed = 52;
-    int n_tried = tries_all() ? 120 : 4, n_tasks = 0, n_solutions = 0, i;
+    int n_tried = tries_all() ? 120 : 2, n_tasks = 0, n_solutions = 0, i;
 
     for (i = 0; i < n_tried; i++) {
         double x = uniform(&seed, 5, 30), y = uniform(&seed, -20, 20);
