@@ -273,23 +273,23 @@ typedef struct fourlink_turning fourlink_turning;
 ** 1) The text is not needed after the call.
 ** 2) In addition to what fourlink_deck_read checks, the names of columns and of a sweep's outputs
 **    are checked.
-** 3) The functions below allocate nothing, with three exceptions.  fourlink_results_check opens the deck again, once with
-**    each, as slips may have changed it: without weights, in other axes.  The first extreme, mean or crossing takes
-**    room for searches.  A motion that is not given is integrated on a branch
-**    when something is first asked that follows from it, which can take seconds.  Facts of a run-up need the
-**    steady motion that it approaches, which is sought when one is first asked.  A call that does this can return
-**    FOURLINK_NO_MEMORY, and nothing else; it may be called again.  fourlink_results_end integrates the motion,
-**    fourlink_results_facts with FOURLINK_FACTS_MOTION also finds its facts, with FOURLINK_FACTS_EXTREMES takes room
-**    for searches, for programs that must not fail later.  Inputs, lists and facts of FOURLINK_FACTS_LIMITS need no motion.  No result depends on earlier
-**    calls.
+** 3) The functions below allocate nothing, with three exceptions.  fourlink_results_check opens the deck
+**    again, once with each, as slips may have changed it: without weights, in other axes.  The first
+**    extreme, mean or crossing takes room for searches.  A motion that is not given is integrated on a
+**    branch when something is first asked that follows from it, which can take seconds.  Facts of a run-up
+**    need the steady motion that it approaches, which is sought when one is first asked.  A call that does
+**    this can return FOURLINK_NO_MEMORY, and nothing else; it may be called again.  fourlink_results_end
+**    integrates the motion, fourlink_results_facts with FOURLINK_FACTS_MOTION also finds its facts, with
+**    FOURLINK_FACTS_EXTREMES takes room for searches, for programs that must not fail later.  Inputs, lists
+**    and facts of FOURLINK_FACTS_LIMITS need no motion.  No result depends on earlier calls.
 */
 FOURLINK_API int fourlink_results_open(const fourlink_source *source, unsigned long max_mistakes,
                                        fourlink_results **results, fourlink_mistake *mistakes,
                                        unsigned long *n_mistakes);
 
-/* Open a deck that may be the same as an open one, but for its answers or the units of its results.  Where all
-** settings and the unit of angles are the same, so is its motion: it is that of `like`.  To integrate it again could
-** take seconds.  All else is as from fourlink_results_open.
+/* Open a deck that may be the same as an open one, but for its answers or the units of its results.  Where
+** all settings and the unit of angles are the same, so is its motion: it is that of `like`.  To integrate
+** it again could take seconds.  All else is as from fourlink_results_open.
 **
 ** Given:
 **    like          results of a deck; null is allowed.  Before `results` is freed it must neither be freed nor have
@@ -334,9 +334,9 @@ FOURLINK_API int fourlink_results_value(fourlink_results *results, const char *n
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NO_SUCH_NAME
 ** Notes:
 ** 1) The name is looked up once; reading values by the handle needs no search.
-** 2) The handle is valid for these results; that of a column, fact or variable is valid for all designs of
-**    the deck's sweep; that of "Ts at 30 deg", for those opened later.  It is never 0.  At most 256 names with an
-**    angle, of less than 64 letters, have handles; fourlink_results_value takes any.
+** 2) The handle is valid for these results; that of a column, fact or variable is valid for all designs
+**    of the deck's sweep; that of "Ts at 30 deg", for those opened later.  It is never 0.  At most 256
+**    names with an angle, of less than 64 letters, have handles; fourlink_results_value takes any.
 ** 3) Entries of lists and facts have handles too.  FOURLINK_MAX, _MIN, _MEAN or _RMS may be added to the
 **    handle of a column.
 ** 4) A fact is found even if this design does not have it: for example, the stroke of a four-bar linkage.
@@ -354,8 +354,9 @@ FOURLINK_API int fourlink_results_find(fourlink_results *results, const char *na
 ** Returned:
 **    value      with name, unit, meaning, and the crank angle at which it occurs if it has one
 ** Returned (function value):
-**    FOURLINK_OK; 1 to 19 or 63, why a column has no value, or why the actual motion ends before a fact is known;
-**    FOURLINK_NULL, FOURLINK_BAD_BRANCH, FOURLINK_NO_SUCH_NAME, FOURLINK_NO_SUCH_FACT, FOURLINK_NO_SUCH_ANGLE
+**    FOURLINK_OK; 1 to 19 or 63, why a column has no value, or why the actual motion ends before a fact is
+**    known; FOURLINK_NULL, FOURLINK_BAD_BRANCH, FOURLINK_NO_SUCH_NAME, FOURLINK_NO_SUCH_FACT,
+**    FOURLINK_NO_SUCH_ANGLE
 ** Notes:
 ** 1) Extremes are those of the deck's motion, refined between its rows.
 ** 2) FOURLINK_NO_SUCH_FACT means that only other mechanisms have this fact, such as the stroke of a four-bar
@@ -398,8 +399,8 @@ FOURLINK_API int fourlink_results_list(fourlink_results *results, int which,
 **    instant    the motion and the forces of the row
 **    loads      the problem.n_loads loads at its crank angle, including springs and friction
 ** Returned (function value):
-**    FOURLINK_OK; 1 to 19 or 63, why only the crank has values in this row; FOURLINK_NULL, FOURLINK_BAD_BRANCH,
-**    FOURLINK_NO_SUCH_ROW
+**    FOURLINK_OK; 1 to 19 or 63, why only the crank has values in this row; FOURLINK_NULL,
+**    FOURLINK_BAD_BRANCH, FOURLINK_NO_SUCH_ROW
 ** Note:
 **    The crank's columns, `instant->row` and `instant->status` are returned with codes 1 to 19 and 63 too.
 */
@@ -544,8 +545,8 @@ FOURLINK_API int fourlink_results_put(fourlink_results *results, unsigned long n
                                       const int *handles, const double *values,
                                       fourlink_mistake *mistake);
 
-/* A row without its forces, which take most of the time of one: they are computed only for columns, and with friction,
-** where they decide whether the machine moves.
+/* A row without its forces, which take most of the time of one: they are computed only for columns, and
+** with friction, where they decide whether the machine moves.
 **
 ** Given:
 **    as for fourlink_results_row
@@ -623,8 +624,8 @@ FOURLINK_API int fourlink_results_on_side(fourlink_results *results, fourlink_br
                                           int side, double place, double *values,
                                           fourlink_instant *instant, fourlink_load *loads);
 
-/* What the rounding error of a column is a small part of in a row, where that does not follow from the machine: of a spring,
-** which can be far weaker than the machine, or far stronger.
+/* What the rounding error of a column is a small part of in a row, where that does not follow from the
+** machine: of a spring, which can be far weaker than the machine, or far stronger.
 **
 ** Given:
 **    handle     of a column of a spring, or of its extremes
@@ -720,8 +721,8 @@ FOURLINK_API int fourlink_results_turning(fourlink_results *results, fourlink_br
 ** Returned:
 **    check      the printed value, the computed one, and whether they agree
 ** Returned (function value):
-**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NO_SUCH_ROW; FOURLINK_NO_MEMORY as all functions on a branch; a value
-**    that differs is sought on the other one, and in the deck as slips may have changed it
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NO_SUCH_ROW; FOURLINK_NO_MEMORY as all functions on a branch; a
+**    value that differs is sought on the other one, and in the deck as slips may have changed it
 */
 FOURLINK_API int fourlink_results_check(fourlink_results *results, unsigned long i,
                                         fourlink_check *check);

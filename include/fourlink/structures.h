@@ -99,16 +99,18 @@ typedef enum fourlink_group_hang {
     FOURLINK_HANGS_IN_SLOT /* a pin Q of slider or rocker runs in a slot of that link, through P */
 } fourlink_group_hang;
 
-/* The numbers of the links of group i, from 0, the rod and the slider or rocker; that of the last link of a design. */
+/* The numbers of the links of group i, from 0, the rod and the slider or rocker; that of the last link
+** of a design. */
 #define FOURLINK_ROD_OF(i) (FOURLINK_FOLLOWER + 1 + 2 * (i))
 #define FOURLINK_END_OF(i) (FOURLINK_FOLLOWER + 2 + 2 * (i))
 #define FOURLINK_LAST_LINK(design) (FOURLINK_FOLLOWER + 2 * (design)->n_groups)
 
-/* A group: a rod on a point P of a moving link, and a slider or a rocker on the other pin Q of the rod.  It
-** has no degree of freedom of its own.  In a deck it is an [output].  Group i, from 0, has the links 5 + 2 i,
-** the rod, and 6 + 2 i.  Their own axes: the rod's from P to Q; the slider's from Q along `direction`; the
-** rocker's from its pin D to Q.  With a slot, link 5 + 2 i is a block without mass on the pin, its axis that of the slot;
-** Q of a slider with a slot is where the slot meets the line; a rocker's slot is along the rocker.  Set it to zero first. */
+/* A group: a rod on a point P of a moving link, and a slider or a rocker on the other pin Q of the rod.
+** It has no degree of freedom of its own.  In a deck it is an [output].  Group i, from 0, has the links
+** 5 + 2 i, the rod, and 6 + 2 i.  Their own axes: the rod's from P to Q; the slider's from Q along
+** `direction`; the rocker's from its pin D to Q.  With a slot, link 5 + 2 i is a block without mass on
+** the pin, its axis that of the slot; Q of a slider with a slot is where the slot meets the line; a
+** rocker's slot is along the rocker.  Set it to zero first. */
 typedef struct fourlink_group {
     fourlink_group_end end;
     int link;              /* that carries it: 2, 3, 4, or one of a group before it */
@@ -658,9 +660,9 @@ struct fourlink_turning {
     fourlink_area area[FOURLINK_AREAS];
 };
 
-/* A part of the program of a motion, between two of its points.  With u = (time - begin) / (end - begin) and the shape
-** s(u) of its law, which goes from 0 to 1, the coordinate of the program, or its speed, is value + rise s(u); of a
-** spline, with T = end - begin,
+/* A part of the program of a motion, between two of its points.  With u = (time - begin) / (end - begin)
+** and the shape s(u) of its law, which goes from 0 to 1, the coordinate of the program, or its speed, is
+** value + rise s(u); of a spline, with T = end - begin,
 **
 **    value + rise u + T^2 / 6 [bend[0] ((1 - u)^3 - (1 - u)) + bend[1] (u^3 - u)] */
 typedef struct fourlink_program_part {
@@ -842,8 +844,8 @@ FOURLINK_API int fourlink_point(const fourlink_state *state, int link, const fou
                                 fourlink_vector *position, fourlink_vector *velocity,
                                 fourlink_vector *acceleration);
 
-/* The moving links as bodies, each cut free of the others: what Newton's and Euler's equations have besides the
-** unknown forces of the joints, and the terms of virtual work.
+/* The moving links as bodies, each cut free of the others: what Newton's and Euler's equations have besides
+** the unknown forces of the joints, and the terms of virtual work.
 **
 ** Given:
 **    mechanism  from fourlink_prepare
@@ -853,7 +855,8 @@ FOURLINK_API int fourlink_point(const fourlink_state *state, int link, const fou
 ** Returned:
 **    body       by link number, 2 to the last; the others stay as they are
 ** Returned (function value):
-**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_KIND, FOURLINK_BAD_NUMBER, FOURLINK_BAD_LINK, FOURLINK_BAD_FRAME
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_KIND, FOURLINK_BAD_NUMBER, FOURLINK_BAD_LINK,
+**    FOURLINK_BAD_FRAME
 ** Note:
 **    With the mass m and the moment of inertia I of a link, the right-hand sides of its equations are
 **    m a_G - weight - force and I alpha - moment; its power for unit crank speed is
@@ -1091,8 +1094,8 @@ FOURLINK_API int fourlink_system(const fourlink_mechanism *mechanism, const four
 ** and "Ts".  A constant string, never null. */
 FOURLINK_API const char *fourlink_unknown_text(int kind, int i);
 
-/* The six equations of a group, A x = b.  They stand alone: what the group does to the links that carry it is in b of
-** fourlink_system, and what a group on its links does to it is in its own.
+/* The six equations of a group, A x = b.  They stand alone: what the group does to the links that carry it
+** is in b of fourlink_system, and what a group on its links does to it is in its own.
 **
 ** Given:
 **    mechanism, state, loads, n_loads  as for fourlink_solve
@@ -1102,12 +1105,13 @@ FOURLINK_API const char *fourlink_unknown_text(int kind, int i);
 **               moments about the link's origin
 **    b, x       6, right-hand side and solution; forces in N, moments in N m
 ** Returned (function value):
-**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_KIND, FOURLINK_BAD_GROUP, FOURLINK_SINGULAR, FOURLINK_BAD_NUMBER,
-**    FOURLINK_BAD_LINK, FOURLINK_BAD_FRAME
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_KIND, FOURLINK_BAD_GROUP, FOURLINK_SINGULAR,
+**    FOURLINK_BAD_NUMBER, FOURLINK_BAD_LINK, FOURLINK_BAD_FRAME
 ** Note:
-**    x = (FPx FPy FQx FQy FDx FDy); of a slider (... N M), the guide's.  The force of a slot, FP in a slot of the
-**    carrying link and FQ in one of the group, is (S C): S along the slot's normal, to the left of the block's axis, and the
-**    couple C, which is 0.  Where something drives on a group, its fourlink_drive_loads are to be among the loads.
+**    x = (FPx FPy FQx FQy FDx FDy); of a slider (... N M), the guide's.  The force of a slot, FP in a slot
+**    of the carrying link and FQ in one of the group, is (S C): S along the slot's normal, to the left of
+**    the block's axis, and the couple C, which is 0.  Where something drives on a group, its
+**    fourlink_drive_loads are to be among the loads.
 */
 FOURLINK_API int fourlink_group_system(const fourlink_mechanism *mechanism,
                                        const fourlink_state *state, const fourlink_load *loads,
@@ -1454,8 +1458,8 @@ typedef struct fourlink_actuator {
 FOURLINK_API int fourlink_deck_actuator(const fourlink_deck *deck, unsigned long i,
                                         fourlink_actuator *actuator);
 
-/* What drives, if not a torque on the crank, as loads: one on each link that it pushes.  They are not among the
-** problem.n_loads loads.
+/* What drives, if not a torque on the crank, as loads: one on each link that it pushes.  They are not among
+** the problem.n_loads loads.
 **
 ** Given:
 **    deck    from fourlink_deck_read
@@ -1557,8 +1561,8 @@ FOURLINK_API int fourlink_deck_point(const fourlink_deck *deck, unsigned long i,
 FOURLINK_API int fourlink_deck_write(const fourlink_deck *deck, char *out, unsigned long size,
                                      unsigned long *length);
 
-/* Write a deck by lengths as one by the places of its pins ([pins]), drawn on the open branch; one with [pins] as
-** fourlink_deck_write does.
+/* Write a deck by lengths as one by the places of its pins ([pins]), drawn on the open branch; one with
+** [pins] as fourlink_deck_write does.
 **
 ** Given:
 **    theta2     rad, the crank angle of the drawing, from x of link 1
@@ -1570,8 +1574,8 @@ FOURLINK_API int fourlink_deck_write(const fourlink_deck *deck, char *out, unsig
 ** Notes:
 ** 1) Lengths that follow from the pins are left out.  Everything else holds as it is written, in the axes of
 **    link 1: `axes = ground` is added unless the deck has axes, and `branch = both` if it had both.
-** 2) Where the drawing does not tell the mechanism, the text cannot be read, or is another one: if links 3 and 4 are
-**    in line, or the pin of a piston is not on the side of x.
+** 2) Where the drawing does not tell the mechanism, the text cannot be read, or is another one: if links
+**    3 and 4 are in line, or the pin of a piston is not on the side of x.
 */
 FOURLINK_API int fourlink_deck_write_pins(const fourlink_deck *deck, double theta2, char *out,
                                           unsigned long size, unsigned long *length);
@@ -1875,9 +1879,9 @@ FOURLINK_API int fourlink_chebyshev(double from, double to, unsigned long n, dou
 ** 3) A linkage that reaches a point on both branches has it on the one whose output is nearer; for a fit of
 **    the angle all points are on `branch`.
 ** 4) A linkage of least squares may not reach some points: FOURLINK_DEFECT_REACH.  A fit of the angle
-**    reaches all, with a transmission angle of at least 0.001 deg.  Of these linkages it has the least sum, to
-**    1 %, if no link, or offset, may be more than 100 times as long as another; of a slider-crank, crank and
-**    rod may not be as much shorter than the largest |X| either.
+**    reaches all, with a transmission angle of at least 0.001 deg.  Of these linkages it has the least sum,
+**    to 1 %, if no link, or offset, may be more than 100 times as long as another; of a slider-crank, crank
+**    and rod may not be as much shorter than the largest |X| either.
 ** 5) Points stand in the order of the motion.  If their angles neither rise nor fall, each follows the one
 **    before by the shorter way: 350, 10, 30 deg are 350, 370, 390 deg.
 ** Reference:
@@ -1959,13 +1963,14 @@ FOURLINK_API int fourlink_synthesis_path(const fourlink_path_task *task, unsigne
 **    FOURLINK_OK; FOURLINK_NONE_FOUND, FOURLINK_DEPENDENT (two points are equal); FOURLINK_NULL,
 **    FOURLINK_NO_MEMORY, FOURLINK_BAD_NUMBER, FOURLINK_BAD_KIND, FOURLINK_BAD_POINTS, FOURLINK_BAD_CHOICE
 ** Notes:
-** 1) The sum is that of w distance^2: without timing the distance from the curve, else that from the place of
-**    the coupler point at the given crank angle.  With angles, w (size error)^2 is added, where size is the root
-**    mean square distance of the points from their centre, and the poses are met where this sum is least.
+** 1) The sum is that of w distance^2: without timing the distance from the curve, else that from the
+**    place of the coupler point at the given crank angle.  With angles, w (size error)^2 is added, where
+**    size is the root mean square distance of the points from their centre, and the poses are met where
+**    this sum is least.
 ** 2) The search descends from a fixed number of starts, the same on each run.  It finds the best linkage of
 **    these starts; a better one may exist.
-** 3) Linkages whose transmission angle falls below 0.1 deg, or whose longest link is more than 100 times as long
-**    as the shortest, do not count.
+** 3) Linkages whose transmission angle falls below 0.1 deg, or whose longest link is more than 100 times
+**    as long as the shortest, do not count.
 ** 4) The crank may run either way.  A timing that rises is that of a crank that turns counter-clockwise.
 ** 5) The search allocates about a megabyte, and frees it.  With 20 points it takes one or two seconds.
 ** Reference:

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
 ** arithmetic.h - floating-point arithmetic that the compiler must not relax.  NaN marks an undefined value
-** and infinity an unbounded one; without them results would be silently wrong.  A product is rounded before it
-** is added, so that all machines have the same digits, whatever the options of the build.
+** and infinity an unbounded one; without them results would be silently wrong.  A product is rounded before
+** it is added, so that all machines have the same digits, whatever the options of the build.
 */
 #ifndef FOURLINK_ARITHMETIC_H
 #define FOURLINK_ARITHMETIC_H

@@ -73,9 +73,9 @@ static long read_number_exponent(const char *s, const char *end)
     return negative ? -exponent : exponent;
 }
 
-/* A whole number of at most 15 digits and a power of ten up to 10^22 are doubles, so that their product or quotient, which
-** is rounded once, is the number that is written (Clinger, "How to read floating point numbers accurately", 1990).  With
-** registers of 80 bits it would be rounded twice. */
+/* A whole number of at most 15 digits and a power of ten up to 10^22 are doubles, so that their product
+** or quotient, which is rounded once, is the number that is written (Clinger, "How to read floating
+** point numbers accurately", 1990).  With registers of 80 bits it would be rounded twice. */
 #if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 0
 #define EXACT_DIGITS 15
 #else
@@ -106,8 +106,8 @@ static int read_exactly(const char *s, const char *end, long exponent, double *v
     return 1;
 }
 
-/* Otherwise strtod: it rounds correctly but expects the decimal mark of the host's locale, so it is given a whole number
-** and an exponent: 12.5e3 as 125e2. */
+/* Otherwise strtod: it rounds correctly but expects the decimal mark of the host's locale, so it is
+** given a whole number and an exponent: 12.5e3 as 125e2. */
 number_status flk_number_read(text *rest, double *value)
 {
     char copy[400], *end = copy;

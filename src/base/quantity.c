@@ -99,8 +99,8 @@ static int take_pi(text *rest, int is_after_number)
 /* What a number is besides a decimal number. */
 enum { IS_FRACTION = 1, IS_PI = 2 };
 
-/* Take a number off the front of `rest`: 2.5, 1/3 and, if pi is allowed, pi, -pi/6, 3 pi/4, 1/2 pi.  `form` says which
-** of these it is. */
+/* Take a number off the front of `rest`: 2.5, 1/3 and, if pi is allowed, pi, -pi/6, 3 pi/4, 1/2 pi.
+** `form` says which of these it is. */
 static number_status take_number(text *rest, int allows_pi, double *number, int *form)
 {
     text t = *rest, after = t;

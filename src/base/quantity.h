@@ -15,8 +15,8 @@ typedef struct quantity_value {
     double digit; /* also in SI, one unit of the last digit: 0.01 m for 2.50 m */
 } quantity_value;
 
-/* Read a quantity.  Its number may be a fraction, 1/3; that of an angle or its rates also a multiple of pi, which
-** without a unit is in radians: pi/6, 2 pi/3.
+/* Read a quantity.  Its number may be a fraction, 1/3; that of an angle or its rates also a multiple of pi,
+** which without a unit is in radians: pi/6, 2 pi/3.
 **
 ** Given:
 **    t          the text

@@ -223,8 +223,8 @@ void flk_integrate(flk_functions *f, void *data, int n, double from, double to, 
 **
 **    e_(k+1)(i) = e_(k-1)(i+1) + 1 / (e_k(i+1) - e_k(i)),   e_-1 = 0, e_0 the sequence
 **
-** of which those with k even are limits.  Number m of the sequence adds e_(m-i)(i) for i = m ... 0, in the place of
-** e_(m-1-i)(i). */
+** of which those with k even are limits.  Number m of the sequence adds e_(m-i)(i) for i = m ... 0, in
+** the place of e_(m-1-i)(i). */
 double flk_limit_of_sequence(double *of, int n)
 {
     double before, here, difference;

@@ -61,9 +61,9 @@ double flk_integrate_smooth(flk_function *f, void *data, double from, double to)
 #define FLK_INTEGRALS 3
 typedef void flk_functions(double x, void *data, double y[FLK_INTEGRALS]);
 
-/* An integral; what coarser rules with the same points differ by, which for a smooth function is far more than
-** the error, and at a corner that is not beside an end at least a quarter of it; and the integral of the
-** magnitude. */
+/* An integral; what coarser rules with the same points differ by, which for a smooth function is far
+** more than the error, and at a corner that is not beside an end at least a quarter of it; and the
+** integral of the magnitude. */
 typedef struct flk_integral {
     double value, error, size;
 } flk_integral;
@@ -71,8 +71,8 @@ typedef struct flk_integral {
 /* Integrate n functions by one rule of 15 points, none of them at an end. */
 void flk_integrate(flk_functions *f, void *data, int n, double from, double to, flk_integral *of);
 
-/* The limit of a sequence of n numbers, n odd, whose distances from it are a sum of geometric sequences, exactly of
-** (n - 1) / 2 of these; the numbers are overwritten. */
+/* The limit of a sequence of n numbers, n odd, whose distances from it are a sum of geometric sequences,
+** exactly of (n - 1) / 2 of these; the numbers are overwritten. */
 double flk_limit_of_sequence(double *of, int n);
 
 #endif

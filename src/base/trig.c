@@ -63,9 +63,9 @@ static double reduce(double x, int *n, double *rest)
     return r;
 }
 
-/* A larger angle without its turns.  The rest of x / TURN is exact; what the turns are longer than TURN is
-** subtracted as often as there are turns, and may be large itself.  The error, below 1e-15 + 3e-32 |x|, is far
-** below the distance of doubles beside x. */
+/* A larger angle without its turns.  The rest of x / TURN is exact; what the turns are longer than TURN
+** is subtracted as often as there are turns, and may be large itself.  The error, below 1e-15 + 3e-32
+** |x|, is far below the distance of doubles beside x. */
 static double without_turns(double x)
 {
     double r;
@@ -198,7 +198,7 @@ double flk_arc_cosine(double x)
     return flk_angle(sqrt((1 - x) * (1 + x)), x);
 }
 
-/* ------------------------------------------------------------------------------------------------ length */
+/* ----------------------------------------------------------------------------------------------- length */
 
 double flk_length(double x, double y)
 {

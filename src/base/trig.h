@@ -3,8 +3,9 @@
 ** trig.h - sine, cosine, arc tangent and what follows from them, with the same bits on every machine.
 **
 ** Libraries of C differ in the last digits, also from processor to processor. These functions need nothing
-** but +, -, *, /, the square root and the exact fmod, which IEEE 754 rounds in one way. Sine, cosine and arc tangent are
-** within 1 ulp, arc sine and arc cosine within 3 (tests/base/trig_trial.c); angles are in rad.
+** but +, -, *, /, the square root and the exact fmod, which IEEE 754 rounds in one way. Sine, cosine and
+** arc tangent are within 1 ulp, arc sine and arc cosine within 3 (tests/base/trig_trial.c); angles are in
+** rad.
 */
 #ifndef FOURLINK_TRIG_H
 #define FOURLINK_TRIG_H

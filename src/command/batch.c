@@ -2,8 +2,9 @@
 **
 ** batch.c - the sheet of decks, or of one deck with the answers of many, one at a time.
 **
-** The header of a csv has the columns of all decks: for these, all are read once before they are written, the first of them
-** stay open, and the others are read again.  What can be read only once, such as standard input, is kept as text.
+** The header of a csv has the columns of all decks: for these, all are read once before they are written,
+** the first of them stay open, and the others are read again.  What can be read only once, such as standard
+** input, is kept as text.
 */
 #include <errno.h>
 #include <stdlib.h>
@@ -51,7 +52,7 @@ static int complain_of_memory(void)
     return command_lacks_memory("cannot start", "");
 }
 
-/* --------------------------------------------------------------------------------------------- the header */
+/* ------------------------------------------------------------------------------------------- the header */
 
 /* Add a column, whose results will be closed; 0 if out of memory. */
 static int add_column(batch *b, const fourlink_value *column)
@@ -328,7 +329,7 @@ int batch_write_one(FILE *out, input *in, const grade_answers *answers)
     return status;
 }
 
-/* ------------------------------------------------------------------------------------------- many inputs */
+/* ------------------------------------------------------------------------------------------ many inputs */
 
 /* The design of a student, from 1; 0: the list gives none. */
 static unsigned long design_of(const batch *b, const student *x)
@@ -411,8 +412,8 @@ static int read_input(batch *b, size_t i, input *in)
     return command_worse(status, in->has_defects ? EXIT_ROWS : 0);
 }
 
-/* Read all inputs, in silence, for what must be known of all; returns the exit status.  Those of which nothing is to
-** be told stay open. */
+/* Read all inputs, in silence, for what must be known of all; returns the exit status.  Those of which
+** nothing is to be told stay open. */
 static int scan(batch *b)
 {
     int enough = 1, is_read, may_keep = !b->deck && !asks(b->o);

@@ -164,8 +164,9 @@ static int set_values(search *s, const double *values)
 
 #define MORE 64 /* points for which memory is taken at once */
 
-/* The smallest sign * value with these values of the free variables, and its branch.  A simplex that has met the end
-** of a range, or become smaller than the digits, comes back to the same points again and again. */
+/* The smallest sign * value with these values of the free variables, and its branch.  A simplex that has
+** met the end of a range, or become smaller than the digits, comes back to the same points again and
+** again. */
 static double value_with(search *s, const double *values, fourlink_branch *branch)
 {
     size_t width = s->n_free + 2, size = s->n_free * sizeof *values, i;

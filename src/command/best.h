@@ -13,8 +13,8 @@
 /* Write the design that --best asks for, as a deck. */
 int best_write(FILE *out, const input *in);
 
-/* The same as a line of a sheet of values, with columns that best_columns gives: memory to free, null if there
-** is not enough.  A deck without one has a line that says why. */
+/* The same as a line of a sheet of values, with columns that best_columns gives: memory to free, null if
+** there is not enough.  A deck without one has a line that says why. */
 fourlink_value *best_columns(const input *in, unsigned long *n);
 int best_put(sheet *s, const input *in);
 

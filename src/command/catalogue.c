@@ -56,8 +56,8 @@ static char *put_friction(char *deck, const fourlink_kind_facts *k)
     return deck;
 }
 
-/* Write the text of a deck of a kind, if the motion is given with all that its links and joints can have: names of other
-** motions do not depend on that. */
+/* Write the text of a deck of a kind, if the motion is given with all that its links and joints can
+** have: names of other motions do not depend on that. */
 static void put_deck(char *deck, int kind, const char *motion)
 {
     fourlink_kind_facts k;

@@ -13,7 +13,8 @@ int command_worse(int status, int other);
 /* Print strings, up to a null pointer, as a line of messages. */
 void command_say(const char *first, ...);
 
-/* Print no messages (1), or print them again (0): those of what is read twice.  Returns 1 if some were not printed. */
+/* Print no messages (1), or print them again (0): those of what is read twice.  Returns 1 if some were
+** not printed. */
 int command_be_silent(int is_silent);
 
 /* Print what a message is, such as error, in colour. */
@@ -25,7 +26,8 @@ int command_complain(const char *what, const char *name, const char *why);
 /* The same where memory has failed. */
 int command_lacks_memory(const char *what, const char *name);
 
-/* The exit status of the run: where memory has failed, that of a failure, with a message if there was none. */
+/* The exit status of the run: where memory has failed, that of a failure, with a message if there was
+** none. */
 int command_end(int status);
 
 /* Print a message about a file, FILE:LINE: error: MESSAGE, or another word for "error"; without the

@@ -48,9 +48,10 @@ const char *convert_svg(FILE *svg, plot_file file, FILE *out, char reason[CONVER
     return why;
 }
 
-/* ------------------------------------------------------------------------------------------ pages of HTML */
+/* ---------------------------------------------------------------------------------------- pages of HTML */
 
-/* Chromium prints to the pipe that is its standard output; as root it wants to be told that there is no sandbox. */
+/* Chromium prints to the pipe that is its standard output; as root it wants to be told that there is no
+** sandbox. */
 #define TO_PIPE "--print-to-pdf=/dev/stdout"
 #define NO_SANDBOX "--no-sandbox"
 

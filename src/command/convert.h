@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** convert.h - runs other programs: rsvg-convert, which makes png and pdf of an SVG, and Chromium, which prints a page
-** of HTML as pdf.
+** convert.h - runs other programs: rsvg-convert, which makes png and pdf of an SVG, and Chromium, which
+** prints a page of HTML as pdf.
 */
 #ifndef FOURLINK_CONVERT_H
 #define FOURLINK_CONVERT_H
@@ -16,8 +16,8 @@
 ** `reason` has room for it. */
 const char *convert_svg(FILE *svg, plot_file file, FILE *out, char reason[CONVERT_REASON]);
 
-/* The same for a page of HTML, from its beginning.  Chromium knows HTML by the name of its file: while it prints, one
-** stands beside the file `path`. */
+/* The same for a page of HTML, from its beginning.  Chromium knows HTML by the name of its file: while
+** it prints, one stands beside the file `path`. */
 const char *convert_page(FILE *page, const char *path, FILE *out, char reason[CONVERT_REASON]);
 
 /* Copy a stream from its beginning; 1, or 0 with errno set. */

@@ -78,7 +78,8 @@ static void tell_answer(told *t, const input *in, const fourlink_check *c)
         remark(t, flk_message(words, sizeof words, "line %ld", c->line));
 }
 
-/* Find the next answer to a question from value k of the input on, which is then behind it; 0 if there is none. */
+/* Find the next answer to a question from value k of the input on, which is then behind it; 0 if there
+** is none. */
 static int next_answer(told *t, const marks *m, const input *in, unsigned long i, unsigned long *k)
 {
     fourlink_check c;
@@ -220,8 +221,8 @@ static int count_names(const marks *m, const roster_entry *e)
     return n;
 }
 
-/* The name of a student's file: the student's, of several with one name also the line of the list; what cannot be in the name of
-** a file becomes "_". */
+/* The name of a student's file: the student's, of several with one name also the line of the list; what
+** cannot be in the name of a file becomes "_". */
 static void name_file(const marks *m, const input *in, const sheet_mark *mark, char out[300])
 {
     const roster_entry *e = in->student ? in->student->entry : NULL;

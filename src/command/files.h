@@ -25,8 +25,8 @@ int files_is_missing(int reason);
 /* 1 if a path is that of a folder. */
 int files_is_folder(const char *path);
 
-/* Make the folder of a path, which ends in its separator, and those above it that are missing.  Prints a failure, also of one that
-** may not be written, and returns the exit status. */
+/* Make the folder of a path, which ends in its separator, and those above it that are missing.  Prints a
+** failure, also of one that may not be written, and returns the exit status. */
 int files_make_folder(const char *path);
 
 /* The name of a file in a path, after its folders. */

@@ -13,8 +13,8 @@
 ** none. */
 int handout_section(text row, text *name);
 
-/* Take out of the text of a deck what students do not get: `solver`, [expect], [misprint] and [grading].  Returns its new
-** length. */
+/* Take out of the text of a deck what students do not get: `solver`, [expect], [misprint] and
+** [grading].  Returns its new length. */
 size_t handout_strip(char *deck, size_t length);
 
 #endif

@@ -185,7 +185,7 @@ static void put_joint(import *m, const char *place, const char *at, int number, 
         put_point(m, place, at, number, x->x, x->y);
 }
 
-/* ------------------------------------------------------------------------------------------ its sections */
+/* ----------------------------------------------------------------------------------------- its sections */
 
 /* 1 if the drawing does not tell the branch: links 3 and 4, or the rod and the square to the stroke, are in
 ** line. */
@@ -224,7 +224,8 @@ static void put_mechanism(import *m)
     }
 }
 
-/* The side of Q: a slider's is ahead of P along its line, a rocker's on the left of the line from P to its pin. */
+/* The side of Q: a slider's is ahead of P along its line, a rocker's on the left of the line from P to
+** its pin. */
 static void put_side(import *m, const import_output *o)
 {
     double rod = import_direction(o->P->x, o->P->y, o->Q->x, o->Q->y),

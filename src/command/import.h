@@ -7,8 +7,8 @@
 
 #include "base/text.h"
 
-/* The deck of a PMKS+ link: memory to free; what has no place in it is told.  Null after a mistake, which is told,
-** or if memory has failed. */
+/* The deck of a PMKS+ link: memory to free; what has no place in it is told.  Null after a mistake,
+** which is told, or if memory has failed. */
 char *import_deck(text t, const char *file, size_t *length);
 
 #endif

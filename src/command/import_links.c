@@ -61,8 +61,8 @@ static int are_apart(const pmks_joint *x, const pmks_joint *y)
     return x->x != y->x || x->y != y->y;
 }
 
-/* Take a link with one fixed joint as link 4, at pin C of the coupler.  Unless `far`, its slide is at C: further away it may
-** be that of a rod on the coupler. */
+/* Take a link with one fixed joint as link 4, at pin C of the coupler.  Unless `far`, its slide is at C:
+** further away it may be that of a rod on the coupler. */
 static int take_follower(import_links *m, const pmks_joint *C, int far)
 {
     text links = C->links, name;
@@ -229,8 +229,8 @@ double import_axis(const import_links *m, int number)
 
 /* --------------------------------------------------------------------------------------- the outputs */
 
-/* The joints by which a link ends: those that are fixed, or also on a link of the deck.  `but` is none.  Returns how
-** many there are, and one of them. */
+/* The joints by which a link ends: those that are fixed, or also on a link of the deck.  `but` is none.
+** Returns how many there are, and one of them. */
 static int count_ends(const import_links *m, text link, const pmks_joint *but,
                       const pmks_joint **end)
 {

@@ -2,8 +2,8 @@
 **
 ** import_links.h - the links and pins of a deck among those of a link of PMKS+.
 **
-** The four links are the ground, the one with the input, and two that close a loop with it.  Two more that hang on these, by a
-** pin P, and end in a slide, a fixed pin or a pin on another link, are an output.
+** The four links are the ground, the one with the input, and two that close a loop with it.  Two more that
+** hang on these, by a pin P, and end in a slide, a fixed pin or a pin on another link, are an output.
 */
 #ifndef FOURLINK_IMPORT_LINKS_H
 #define FOURLINK_IMPORT_LINKS_H
@@ -49,7 +49,8 @@ const import_output *import_output_of(const import_links *m, int number);
 int import_is_rod(int number);
 int import_slides(const import_links *m, int number);
 
-/* The pins between which the x axis of a link runs as drawn, of a slider both the same; its direction, deg. */
+/* The pins between which the x axis of a link runs as drawn, of a slider both the same; its direction,
+** deg. */
 void import_axis_pins(const import_links *m, int number, const pmks_joint **from,
                       const pmks_joint **to);
 double import_axis(const import_links *m, int number);
@@ -57,7 +58,8 @@ double import_axis(const import_links *m, int number);
 /* The direction from a place to another, deg. */
 double import_direction(double x, double y, double to_x, double to_y);
 
-/* The direction of a slide, deg: a multiple of 15 deg as that, of which the link has three decimals in rad. */
+/* The direction of a slide, deg: a multiple of 15 deg as that, of which the link has three decimals in
+** rad. */
 double import_direction_of_slide(const pmks_joint *slide);
 
 /* 1 if a joint is one of the pins A to D, or the slide of the four links. */

@@ -392,8 +392,8 @@ static int read_text(input *in, const char *path, input_text *once)
     return command_complain("cannot read", in->name, strerror(reason));
 }
 
-/* Set the answers of a deck: those of all decks or, from a folder, those of a student, for null of the one with its
-** name.  Returns the exit status. */
+/* Set the answers of a deck: those of all decks or, from a folder, those of a student, for null of the
+** one with its name.  Returns the exit status. */
 static int take_answers(input *in, const char *path, const grade_answers *answers, const student *x)
 {
     int status = 0;

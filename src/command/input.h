@@ -56,9 +56,9 @@ int input_read(input *in, const char *path, const options *o, const grade_answer
 int input_read_answers(input *in, const input *deck, const options *o, const grade_answers *answers,
                        const student *x);
 
-/* Read a deck without answers, as for a summary, of a [sweep] one design: that of the options, or the first.  `own` are
-** the options then, which must live as long as the input.  `with` is null, or the deck with answers, which must live
-** longer.  Returns the exit status. */
+/* Read a deck without answers, as for a summary, of a [sweep] one design: that of the options, or the
+** first.  `own` are the options then, which must live as long as the input.  `with` is null, or the deck
+** with answers, which must live longer.  Returns the exit status. */
 int input_read_without(input *in, const options *o, options *own, const char *path,
                        const input *with);
 

@@ -198,8 +198,8 @@ static void tell_kept(const char *folder, unsigned long n)
     command_tell("note", folder, 0, words, NULL);
 }
 
-/* Write the files of all designs, and with decks for the students of a list the forms to fill in, and the list with their
-** designs; returns the exit status. */
+/* Write the files of all designs, and with decks for the students of a list the forms to fill in, and
+** the list with their designs; returns the exit status. */
 static int write_variants(const options *o, const variants *v, const input *deck)
 {
     int is_class = o->names && o->print_deck, status = 0;

@@ -23,8 +23,8 @@ typedef struct marks {
     const roster *names; /* of --names; empty: none */
 } marks;
 
-/* Take what is asked of many answers from the [expect] of --exercise or else of the deck to which all are answers.
-** Refuses scores of a folder for which neither says it.  Returns the exit status. */
+/* Take what is asked of many answers from the [expect] of --exercise or else of the deck to which all
+** are answers.  Refuses scores of a folder for which neither says it.  Returns the exit status. */
 int marks_begin(marks *m, const options *o, const input *deck, const roster *names);
 
 /* What an input is worth. */

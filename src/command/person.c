@@ -21,7 +21,8 @@ static void end_word(person_words *w, int n)
         w->start[++w->n] = n;
 }
 
-/* The small letter of a capital of two bytes, Greek or Cyrillic, of which the second byte is this; 0 for others. */
+/* The small letter of a capital of two bytes, Greek or Cyrillic, of which the second byte is this; 0 for
+** others. */
 static int small_letter(unsigned char c, unsigned char next, char *first)
 {
     int is_greek = c == 0xce && next >= 0x91 && next <= 0xa9;

@@ -2,8 +2,8 @@
 **
 ** pins.c - the deck of --print-deck --pins: a deck by lengths as one by the places of its pins.
 **
-** What is written is read back, and must be the same mechanism: in a dead position, or with a piston on the other side
-** of A, a drawing tells less than the lengths.
+** What is written is read back, and must be the same mechanism: in a dead position, or with a piston on the
+** other side of A, a drawing tells less than the lengths.
 */
 #include <math.h>
 #include <stdlib.h>
@@ -35,8 +35,8 @@ static int is_same(const fourlink_design *a, const fourlink_design *b)
                SAME * (fabs(a->gravity.x) + fabs(a->gravity.y));
 }
 
-/* The text of the deck as drawn at a crank angle, rad from x of link 1: memory to free; null, and why, if it is not the
-** same mechanism, or if memory fails. */
+/* The text of the deck as drawn at a crank angle, rad from x of link 1: memory to free; null, and why,
+** if it is not the same mechanism, or if memory fails. */
 static char *text_at(const input *in, double theta2, unsigned long *length, const char **why,
                      char message[MESSAGE_SIZE])
 {

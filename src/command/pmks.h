@@ -49,8 +49,8 @@ typedef struct pmks_link {
     const pmks_units *units; /* null: not read */
 } pmks_link;
 
-/* Read the first link of a file; `k` is of zeros but for the file's name.  0: it has a mistake, which is told, or
-** memory has failed.  pmks_free in either case. */
+/* Read the first link of a file; `k` is of zeros but for the file's name.  0: it has a mistake, which is
+** told, or memory has failed.  pmks_free in either case. */
 int pmks_read(pmks_link *k, text t);
 void pmks_free(pmks_link *k);
 

@@ -28,9 +28,9 @@ typedef struct roster {
     text lines;        /* of the file */
 } roster;
 
-/* Read a list of names, one a line, or a file of a spreadsheet, separated by ; or a tab or a comma, whose first
-** line has headings: name, or first name and surname; id, user name, email; late; design.  Other columns are not read.
-** Prints a mistake and returns the exit status. */
+/* Read a list of names, one a line, or a file of a spreadsheet, separated by ; or a tab or a comma,
+** whose first line has headings: name, or first name and surname; id, user name, email; late; design.
+** Other columns are not read.  Prints a mistake and returns the exit status. */
 int roster_read(roster *r, const char *path);
 void roster_free(roster *r);
 

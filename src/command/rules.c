@@ -9,8 +9,8 @@
 #include "base/message.h"
 #include "rules.h"
 
-/* Each of the options `of`, or other words, needs one of `needs`, and does not go with any of `never`.  These are
-** lists as they stand in a message, "--plot, --report or a table of rows", of
+/* Each of the options `of`, or other words, needs one of `needs`, and does not go with any of `never`.
+** These are lists as they stand in a message, "--plot, --report or a table of rows", of
 **
 **    --NAME         an option
 **    --NAME=value   the option with this value; --NAME=FILE.txt: with a value that ends in .txt

@@ -14,8 +14,9 @@
 ** Returns the exit status: EXIT_ROWS if there is none. */
 int solve_write(FILE *out, input *in);
 
-/* The same in a sheet of values, with the columns that solve_columns gives: SOLVE_COLUMNS, or 0 if the deck has
-** no such question; `name` holds that of the value, at its angle.  A deck without a solution has a line that says why. */
+/* The same in a sheet of values, with the columns that solve_columns gives: SOLVE_COLUMNS, or 0 if the
+** deck has no such question; `name` holds that of the value, at its angle.  A deck without a solution
+** has a line that says why. */
 #define SOLVE_COLUMNS 2
 #define SOLVE_NAME MESSAGE_SIZE
 unsigned long solve_columns(input *in, fourlink_value columns[SOLVE_COLUMNS],

@@ -83,7 +83,7 @@ static int has_part(const person_words *w, const person_words *name)
     return (is_within && is_whole) || is_around;
 }
 
-/* ------------------------------------------------------------------------------------------ the students */
+/* ----------------------------------------------------------------------------------------- the students */
 
 int students_add(students *s, text name, const roster_entry *entry)
 {
@@ -235,7 +235,7 @@ int students_list(students *s, const char *folder, const options *o)
     return 1;
 }
 
-/* -------------------------------------------------------------------------------------- whose file it is */
+/* ------------------------------------------------------------------------------------- whose file it is */
 
 /* Who may have handed in a file. */
 typedef struct candidates {
@@ -266,7 +266,8 @@ static int has_an_id(const candidates *c, const student *x)
     return has_id(&c->all, e->id) || has_id(&c->all, e->user) || has_id(&c->all, user);
 }
 
-/* How well a file fits a student by the name, by an ID, by a part of the name: the larger, the better; 0: not at all. */
+/* How well a file fits a student by the name, by an ID, by a part of the name: the larger, the better;
+** 0: not at all. */
 static int fit_by_name(const candidates *c, const student *x)
 {
     if (person_are_same(&c->who, x->words))

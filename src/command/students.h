@@ -33,19 +33,20 @@ typedef struct students {
 /* 1 if a file is one of answers: it ends in .expect, .txt or .csv. */
 int students_is_text(const char *name);
 
-/* List the files of a folder; a folder in it is that of a student, with what he or she has handed in, unless the options
-** name it for output.  Returns 0 with errno set if it cannot be read, or if out of memory. */
+/* List the files of a folder; a folder in it is that of a student, with what he or she has handed in,
+** unless the options name it for output.  Returns 0 with errno set if it cannot be read, or if out of
+** memory. */
 int students_list(students *s, const char *folder, const options *o);
 
-/* Add a student, with the entry of a list or null; a name that is there is not added again.  `name` must live as long.  0 if
-** out of memory. */
+/* Add a student, with the entry of a list or null; a name that is there is not added again.  `name` must
+** live as long.  0 if out of memory. */
 int students_add(students *s, text name, const roster_entry *entry);
 
 /* Add those whose names the files of answers have; 0 if out of memory. */
 int students_add_owners(students *s);
 
-/* Give each student the file that he or she has handed in, and tell which files are not marked, and why, with the nearest
-** name; of nobody's files with `is_class` only.  Returns 0 if out of memory. */
+/* Give each student the file that he or she has handed in, and tell which files are not marked, and why,
+** with the nearest name; of nobody's files with `is_class` only.  Returns 0 if out of memory. */
 int students_match(students *s, const char *folder, int is_class);
 
 /* The student of a name; null if there is none. */

@@ -14,9 +14,9 @@ typedef struct variants {
     unsigned long n; /* how many files are written */
 } variants;
 
-/* Take the list of --names, if it is given, for a deck with a [sweep], and give each student without a design the next
-** that is free, in the order of the list.  One without a column for designs has those of the list that was written into the
-** folder before.  Returns the exit status. */
+/* Take the list of --names, if it is given, for a deck with a [sweep], and give each student without a
+** design the next that is free, in the order of the list.  One without a column for designs has those of
+** the list that was written into the folder before.  Returns the exit status. */
 int variants_open(variants *v, const input *deck, roster *names, const char *folder);
 
 /* The design of file i, from 1. */

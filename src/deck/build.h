@@ -11,8 +11,8 @@
 /* The kind of the mechanism, 0 after a mistake. */
 int flk_build_kind(parser *p);
 
-/* The builders of machine and motion, in this order: outputs before what acts on their links; motor and motion
-** before the friction, which starts in the motion's sense; elements in the order of their loads. */
+/* The builders of machine and motion, in this order: outputs before what acts on their links; motor and
+** motion before the friction, which starts in the motion's sense; elements in the order of their loads. */
 #define BUILD_LIST(X) \
     X(mechanism)      \
     X(outputs)        \

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** build_drive.c - builds [actuator] and `drive` of [motion]: what drives the machine, if not a torque on the crank.
+** build_drive.c - builds [actuator] and `drive` of [motion]: what drives the machine, if not a torque on
+** the crank.
 */
 #include <string.h>
 
@@ -13,7 +14,7 @@
 #include "parser.h"
 #include "settings.h"
 
-/* ------------------------------------------------------------------------------------------------- actuators */
+/* -------------------------------------------------------------------------------------------- actuators */
 
 /* The link and the point at an end of an actuator. */
 static int build_end(parser *p, const section_use *use, const key_code keys[3], fourlink_vector *at)
@@ -116,7 +117,7 @@ static void build_actuators(parser *p)
     }
 }
 
-/* ---------------------------------------------------------------------------------------------------- drives */
+/* ----------------------------------------------------------------------------------------------- drives */
 
 /* The drive of the link that is named; 0 if it names none. */
 static int drive_of_link(parser *p, text name, flk_drive *drive)

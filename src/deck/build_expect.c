@@ -35,8 +35,8 @@ static void keep_one_branch(deck *d)
     d->n_expectations = kept;
 }
 
-/* The row that an angle of answers means: 1.0472 rad is the row at 60 deg.  The last row can be closer than the
-** others. */
+/* The row that an angle of answers means: 1.0472 rad is the row at 60 deg.  The last row can be closer
+** than the others. */
 static double nearest_row(const deck *d, text words, double angle)
 {
     double interval = fabs(d->motion.interval), row, digit;
@@ -55,8 +55,8 @@ static double nearest_row(const deck *d, text words, double angle)
     return fabs(row - angle) <= 0.5 * digit * (1 + 1e-9) ? row : angle;
 }
 
-/* Where the values of a section are: at a crank angle, or at a place of what the rows go over.  Where an angle is
-** prescribed, an angle is that. */
+/* Where the values of a section are: at a crank angle, or at a place of what the rows go over.  Where an
+** angle is prescribed, an angle is that. */
 static void read_at(parser *p, const section_use *use, key_code key, deck_expectation *e)
 {
     const deck *d = p->d;

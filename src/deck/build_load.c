@@ -62,8 +62,8 @@ static int over_of(const section_use *use)
     return flk_setting_of(use, KEY_LOAD_OVER)->word;
 }
 
-/* The axes of the components of a force: those of the deck, unless it turns with its link or is along the line
-** of stroke. */
+/* The axes of the components of a force: those of the deck, unless it turns with its link or is along
+** the line of stroke. */
 static deck_axes axes_of_force(const parser *p, const section_use *use, const setting *force)
 {
     deck_axes axes = p->d->axes;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** build_output.c - builds [output] from values: a slider or a rocker, with its rod or slot, on a point of a link.
+** build_output.c - builds [output] from values: a slider or a rocker, with its rod or slot, on a point of a
+** link.
 */
 #include <string.h>
 

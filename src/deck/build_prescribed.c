@@ -2,7 +2,8 @@
 **
 ** build_prescribed.c - builds `input` of [motion]: what is prescribed in place of the crank angle.
 **
-** Rows go over the coordinate, from `from` to `to`, both within one stretch on which it only rises or only falls.
+** Rows go over the coordinate, from `from` to `to`, both within one stretch on which it only rises or only
+** falls.
 */
 #include <math.h>
 #include <string.h>
@@ -66,7 +67,7 @@ int flk_build_is_prescribed(parser *p)
     return 1;
 }
 
-/* ---------------------------------------------------------------------------------------------- by its name */
+/* ------------------------------------------------------------------------------------------ by its name */
 
 /* The length of an actuator. */
 static int find_actuator(parser *p, const setting *input, text name, flk_coordinate *q)
@@ -133,7 +134,7 @@ static const flk_coordinate *find_coordinate(parser *p, const setting *input)
                                                                                            : NULL;
 }
 
-/* ------------------------------------------------------------------------------------------------------ reach */
+/* ------------------------------------------------------------------------------------------------ reach */
 
 /* Whether a crank angle is in a stretch, less whole periods. */
 static int has_angle(const flk_stretch *x, double theta2, double period)
@@ -159,8 +160,8 @@ static void find_reach(parser *p, const deck_prescribed *x, fourlink_branch bran
                 r->list[r->n++] = all[i];
 }
 
-/* A value of the coordinate moved by whole turns, if it is an angle outside a stretch, to where the stretch has it; 0 if it
-** is not there. */
+/* A value of the coordinate moved by whole turns, if it is an angle outside a stretch, to where the
+** stretch has it; 0 if it is not there. */
 static int move_into(const deck_prescribed *x, const flk_stretch *s, double *value)
 {
     double low = GSL_MIN(s->from, s->to), high = GSL_MAX(s->from, s->to);
@@ -239,7 +240,7 @@ static void keep_stretches(parser *p, const deck_prescribed *x, fourlink_branch 
     }
 }
 
-/* ------------------------------------------------------------------------------------------------------ range */
+/* ------------------------------------------------------------------------------------------------ range */
 
 /* The value of a place of the motion, null if it is not given. */
 static const double *place_of(parser *p, key_code key)
@@ -371,8 +372,8 @@ static int choose(parser *p, deck_prescribed *x, fourlink_branch branch, char wh
            (!x->has_both || choose_on_side(p, x, branch, FOURLINK_FALLING, why));
 }
 
-/* The branches of the table that reach the range; those that do not are left out, unless the deck names them.  A branch that
-** is not in the table has its stretch too, which a host may ask. */
+/* The branches of the table that reach the range; those that do not are left out, unless the deck names
+** them.  A branch that is not in the table has its stretch too, which a host may ask. */
 static fourlink_branch choose_branches(parser *p, deck_prescribed *x)
 {
     const setting *at = flk_setting_find(p, KEY_MOTION_AT),
@@ -533,7 +534,8 @@ static void build_instant(parser *p, deck_prescribed *x, const setting *at)
     }
 }
 
-/* The value of an angle that swings through more than a turn, in the turn that it is in near a crank angle. */
+/* The value of an angle that swings through more than a turn, in the turn that it is in near a crank
+** angle. */
 static double value_near(parser *p, const deck_prescribed *x, fourlink_branch branch, double value)
 {
     const setting *near = flk_setting_find(p, KEY_MOTION_NEAR);

@@ -7,9 +7,9 @@
 
 #include "parser.h"
 
-/* 1 if another coordinate than the crank angle is prescribed; refuses keys that are the crank angle's then, and
-** otherwise keys that only such a coordinate has.  The range follows from the reach on the branches of the table:
-** flk_build_prescribed. */
+/* 1 if another coordinate than the crank angle is prescribed; refuses keys that are the crank angle's
+** then, and otherwise keys that only such a coordinate has.  The range follows from the reach on the
+** branches of the table: flk_build_prescribed. */
 int flk_build_is_prescribed(parser *p);
 
 #endif

@@ -27,7 +27,7 @@ static flk_law find_law(text word)
     return (flk_law)law;
 }
 
-/* ------------------------------------------------------------------------------------------------------ laws */
+/* ------------------------------------------------------------------------------------------------- laws */
 
 /* Read the two ramps of a trapezoid, such as 20 % 30 %. */
 static int read_ramps(parser *p, const setting *s, text rest, double ramp[2])
@@ -122,7 +122,7 @@ static int read_laws(parser *p, const setting *s, char *points, const flk_progra
     return 1;
 }
 
-/* ------------------------------------------------------------------------------------------------------ ends */
+/* ------------------------------------------------------------------------------------------------- ends */
 
 /* 1 if the last point is the first one again or, of angles, whole turns later. */
 static int comes_back(const flk_program *x, double first, double last)
@@ -187,7 +187,7 @@ static int build_program_ends(parser *p, const setting *s, double first, double 
                               : "the program does not repeat: its last point is not its first");
 }
 
-/* -------------------------------------------------------------------------------------------------- programs */
+/* --------------------------------------------------------------------------------------------- programs */
 
 /* Refuse keys of other motions. */
 static void check_keys(parser *p)

@@ -58,8 +58,8 @@ typedef struct deck_pins {
 
 enum { AXES_GROUND = 1, AXES_PAGE = 2 };
 
-/* The axes of directions and places on the ground: those of link 1, or those of the page.  In them link 1 has its
-** origin A at a place, and its x axis at an angle, here with cosine and sine. */
+/* The axes of directions and places on the ground: those of link 1, or those of the page.  In them link
+** 1 has its origin A at a place, and its x axis at an angle, here with cosine and sine. */
 typedef struct deck_axes {
     int is_page;
     fourlink_vector A; /* m */

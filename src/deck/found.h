@@ -17,8 +17,8 @@ void flk_synthesis_assign(struct parser *p);
 ** defined, or the linkage does not reach. */
 double flk_synthesis_error(const deck_synthesis *t, double theta2);
 
-/* The crank angles between which it is defined, rad, in the order of the function's range; 0 if the task has no
-** function. */
+/* The crank angles between which it is defined, rad, in the order of the function's range; 0 if the task
+** has no function. */
 int flk_synthesis_range(const deck_synthesis *t, double theta2[2]);
 
 #endif

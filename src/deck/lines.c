@@ -182,8 +182,8 @@ static int has_values(const parser *p, const section_use *use)
     return p->n_named > 0 && p->named[p->n_named - 1].use == (size_t)(use - p->uses);
 }
 
-/* 1 if answers go on in a new [expect] without its header: before the first, and at another `at`.  Without headers an `at`
-** is for the values below it, not for those above. */
+/* 1 if answers go on in a new [expect] without its header: before the first, and at another `at`.
+** Without headers an `at` is for the values below it, not for those above. */
 static int begins_answers(const parser *p, section_use *use, text key, int has_header)
 {
     if (!use || use->section == SECTION_TOP)

@@ -13,9 +13,9 @@ text flk_setting_text(parser *p, double number, text unit_name);
 /* Write the number that in a unit gives exactly the SI value, or the nearest one; 0 if it is not exact. */
 int flk_number_in_unit(double si, const unit *u, char number[DIGITS_SIZE]);
 
-/* A number in another unit: to 15 digits if that is within the rounding of the conversion and, read and converted back,
-** is the number to 15 digits: 2.5 in is 63.5 mm.  The same for the number that a line of the deck has in its own unit
-** for an SI value. */
+/* A number in another unit: to 15 digits if that is within the rounding of the conversion and, read and
+** converted back, is the number to 15 digits: 2.5 in is 63.5 mm.  The same for the number that a line of
+** the deck has in its own unit for an SI value. */
 double flk_number_converted(double number, unit from, unit to);
 double flk_number_written(double si, unit own, unit wanted);
 

@@ -55,7 +55,8 @@ typedef struct setting {
 
 #define IS_SET(s) ((s)->place.source != NULL)
 
-/* A crank angle: that of the drawing of [pins], or `theta2 = 60 deg` where an angle is a value of the input. */
+/* A crank angle: that of the drawing of [pins], or `theta2 = 60 deg` where an angle is a value of the
+** input. */
 enum { CRANK_DRAWN = 1, CRANK_NAMED };
 #define IS_DRAWN(s) ((s)->word == CRANK_DRAWN)
 #define IS_CRANK_NAMED(s) ((s)->word == CRANK_NAMED)

@@ -2,8 +2,8 @@
 **
 ** pins.c - [pins]: a mechanism by the places of its pins on a page, in one drawn position.
 **
-** The page has x to the right and y up.  From the places follow the lengths, the offset, the direction of x of
-** link 1 on the page, the crank angle as drawn and the branch.
+** The page has x to the right and y up.  From the places follow the lengths, the offset, the direction of x
+** of link 1 on the page, the crank angle as drawn and the branch.
 */
 #include <math.h>
 #include <string.h>
@@ -318,8 +318,8 @@ static int find_inverted(parser *p, deck_pins *pins, const drawing *x)
     return 1;
 }
 
-/* Scotch yoke: the slot passes B, at its angle beta from the guide; with v the direction of the slot and n the
-** left normal of the guide, the origin C of the yoke is at B - v ((B - A) . n - e) / sin(beta). */
+/* Scotch yoke: the slot passes B, at its angle beta from the guide; with v the direction of the slot and
+** n the left normal of the guide, the origin C of the yoke is at B - v ((B - A) . n - e) / sin(beta). */
 static void find_yoke(parser *p, deck_pins *pins, const drawing *x)
 {
     double beta = flk_setting_or(p, KEY_YOKE_ANGLE, M_PI_2), sine = flk_sine(beta), above;
@@ -408,7 +408,7 @@ void flk_pins_draw_outputs(parser *p)
     place_assembled(pins, FOURLINK_END_OF(number), &state);
 }
 
-/* ------------------------------------------------------------------------------------------ rough places */
+/* ----------------------------------------------------------------------------------------- rough places */
 
 #define FAR 0.1 /* of the crank: a pin that is moved so far gets a note */
 
@@ -464,8 +464,8 @@ static void note_moved(parser *p, const drawing *x, int pin, fourlink_vector to,
                     flk_key_table[KEY_PINS_A + pin].name, in_words(p, by, far));
 }
 
-/* The direction of x of link 1, and the line of a slide on the ground: at the offset that is given, or along the
-** guide, or through C. */
+/* The direction of x of link 1, and the line of a slide on the ground: at the offset that is given, or
+** along the guide, or through C. */
 static void find_rough_ground(parser *p, deck_pins *pins, const drawing *x)
 {
     const setting *offset = flk_setting_find(p, KEY_GROUND_OFFSET);
@@ -486,8 +486,8 @@ static void find_rough_ground(parser *p, deck_pins *pins, const drawing *x)
         set_offset(pins, x, FLK_CROSS(u, minus(x->on_guide[0], x->at[PIN_A])));
 }
 
-/* A stays, B lies in the drawn direction, D too; of the two assemblies that is meant whose C is nearer to the drawn
-** one, or the open one where there is none. */
+/* A stays, B lies in the drawn direction, D too; of the two assemblies that is meant whose C is nearer
+** to the drawn one, or the open one where there is none. */
 static void find_rough(parser *p, deck_pins *pins, const drawing *x)
 {
     fourlink_vector crank = minus(x->at[PIN_B], x->at[PIN_A]), C;
@@ -532,7 +532,7 @@ static void find_rough(parser *p, deck_pins *pins, const drawing *x)
     note_moved(p, x, PIN_D, pins->origin[FOURLINK_FOLLOWER], design.link[2].length);
 }
 
-/* --------------------------------------------------------------------------------- what is given besides */
+/* -------------------------------------------------------------------------------- what is given besides */
 
 /* A key whose value follows from the pins, and that value; 0 if it does not. */
 static int value_by_pins(const deck *d, key_code key, double *value)
@@ -642,7 +642,7 @@ void flk_pins_read(parser *p)
             check_given(p, k, value);
 }
 
-/* -------------------------------------------------------------------------------------------- the branch */
+/* ------------------------------------------------------------------------------------------- the branch */
 
 /* The open branch is drawn, but beyond a change point it is there a turn later. */
 static void find_turn(const deck *d, deck_pins *pins)
@@ -657,8 +657,8 @@ static void find_turn(const deck *d, deck_pins *pins)
         pins->theta2 += 2 * M_PI;
 }
 
-/* The branch is the one on which `sine`, the side of the drawing, has its sign: beyond a change point the open
-** branch has the other one (fourlink_branch). */
+/* The branch is the one on which `sine`, the side of the drawing, has its sign: beyond a change point
+** the open branch has the other one (fourlink_branch). */
 void flk_pins_find_branch(parser *p)
 {
     deck_pins *pins = &p->d->pins;

@@ -17,8 +17,8 @@ void flk_pins_find_branch(parser *p);
 /* Find where the links of outputs are in the drawing, of those that have been built. */
 void flk_pins_draw_outputs(parser *p);
 
-/* The point of a link, or of the ground, that is at a place of the drawing; 0 and a mistake without [pins], or where an
-** output cannot be assembled in the drawn position. */
+/* The point of a link, or of the ground, that is at a place of the drawing; 0 and a mistake without
+** [pins], or where an output cannot be assembled in the drawn position. */
 int flk_pins_place(parser *p, const setting *s, int link, fourlink_vector *at);
 
 /* 1 if a key of a deck follows from its pins, so that it cannot be set. */

@@ -39,8 +39,8 @@ int flk_deck_design(const deck *from, unsigned long design, const deck_number *s
 /* The same with another of the solutions that are kept of its task, from 0; the task is not solved again. */
 int flk_deck_solution(const deck *from, unsigned long number, deck *d);
 
-/* The same design of a deck without mistakes, with a change, which may be of a line that the deck does not have; the units
-** stay, and answers are not read.  The linkage of a task is sought again. */
+/* The same design of a deck without mistakes, with a change, which may be of a line that the deck does
+** not have; the units stay, and answers are not read.  The linkage of a task is sought again. */
 int flk_deck_changed(const deck *from, const fourlink_change *change, deck *d);
 
 #endif

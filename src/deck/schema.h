@@ -432,8 +432,9 @@ typedef struct word_info {
 key_code flk_first_key(section_code section);
 size_t flk_section_keys(section_code section); /* their number */
 
-/* The word of a key that a text is, whatever its case and whether blanks, - or _ join its parts, or means, such
-** as 4-bar, or slider for the piston of a kind of mechanism; null if the key does not accept it. */
+/* The word of a key that a text is, whatever its case and whether blanks, - or _ join its parts, or
+** means, such as 4-bar, or slider for the piston of a kind of mechanism; null if the key does not accept
+** it. */
 const word_info *flk_word_find(key_code key, int kind, text t);
 
 /* What to write in place of a word that a key does not accept; null if nothing is known. */
@@ -452,7 +453,8 @@ int flk_link_is_other(text name);
 #define MOST_OTHER_LINKS 8
 void flk_link_add_others(int kind, const char **words, size_t n);
 
-/* The word most similar to a text, of those that a key accepts or else of their other names; null if there is none. */
+/* The word most similar to a text, of those that a key accepts or else of their other names; null if
+** there is none. */
 const char *flk_word_nearest(key_code key, int kind, text t);
 
 /* The words that a key accepts, with a null pointer at the end.  `links`, unless null, has names by number:

@@ -22,7 +22,8 @@ int flk_output_has_slot(const parser *p, int rod);
 /* The kind of mechanism that the deck has; 0 if it is not known. */
 int flk_setting_kind(const parser *p);
 
-/* The section that a name means in a deck of this kind, such as [slider] the piston; SECTION_COUNT if none. */
+/* The section that a name means in a deck of this kind, such as [slider] the piston; SECTION_COUNT if
+** none. */
 section_code flk_section_meant(const parser *p, text name);
 
 /* Split "section NAME"; the name may be empty. */
@@ -70,8 +71,9 @@ int flk_setting_target(parser *p, text_place place, text key, target *t);
 /* The same without mistakes and for the sections that the deck has. */
 int flk_setting_look(const parser *p, text key, target *t);
 
-/* 1 if two decks have the same mechanism, loads and motion by their settings and the files that these name.
-** What is shown or asked may differ, the steps from row to row, and the units of results but that of angles. */
+/* 1 if two decks have the same mechanism, loads and motion by their settings and the files that these
+** name.  What is shown or asked may differ, the steps from row to row, and the units of results but that
+** of angles. */
 int flk_settings_move_alike(const deck *d, const deck *other);
 
 /* Set a target from outside its section: a number, with its text, by a design of a sweep or by a host; or

@@ -112,8 +112,8 @@ static void set_unit(deck_unit *units, quantity q, text name, unit u)
     units[q].is_given = 1;
 }
 
-/* Set the unit of the quantity that it fits, and of another one if lb and oz are forces there: lb-in.  Returns
-** 0 if there is none. */
+/* Set the unit of the quantity that it fits, and of another one if lb and oz are forces there: lb-in.
+** Returns 0 if there is none. */
 static int set_result_unit(parser *p, text name)
 {
     key_code first = flk_first_key(SECTION_UNITS), end = flk_first_key(SECTION_UNITS + 1), k;
@@ -152,8 +152,8 @@ void flk_values_result_units(parser *p, const char *list)
     }
 }
 
-/* How far the unit of length, %s, settles others: areas and volumes always; speeds if it is given; all if it is in or
-** ft. */
+/* How far the unit of length, %s, settles others: areas and volumes always; speeds if it is given; all
+** if it is in or ft. */
 enum { AREAS, SPEEDS, ALL_UNITS };
 
 static const struct {
@@ -440,8 +440,8 @@ quantity flk_quantity_of_key(const section_use *use, key_code key)
                                        : QUANTITY_TORQUE;
 }
 
-/* Stiffness and damping need a unit, which determines the sort of spring, and a clearance, which may be any of
-** three quantities. */
+/* Stiffness and damping need a unit, which determines the sort of spring, and a clearance, which may be
+** any of three quantities. */
 static int has_unit(parser *p, key_code key, const setting *s)
 {
     if (key == KEY_SPRING_PRELOAD || flk_quantity_unit_text(s->value).length)

@@ -13,8 +13,8 @@ int flk_vector_read_piece(parser *p, setting *s, text t, quantity q, point *resu
 
 /* Read a point of a link; the parts that are set separately. */
 int flk_vector_read(parser *p, setting *s, quantity q);
-/* The point at these distances from the origin and the end of a link of a length, to the left of its line (1) or to
-** the right (-1):
+/* The point at these distances from the origin and the end of a link of a length, to the left of its line
+** (1) or to the right (-1):
 **
 **    x = (l^2 + r^2 - q^2) / (2 l),   y = +-sqrt(r^2 - x^2)
 **

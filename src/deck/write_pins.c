@@ -2,8 +2,8 @@
 **
 ** write_pins.c - the [pins] of a deck by lengths, for write.c.
 **
-** A is the origin of the page, on which x of link 1 has the direction of [ground].  All other numbers of the deck keep
-** their meaning in the axes of link 1, so that these stay its axes.
+** A is the origin of the page, on which x of link 1 has the direction of [ground].  All other numbers of
+** the deck keep their meaning in the axes of link 1, so that these stay its axes.
 */
 #include <math.h>
 #include <string.h>
@@ -19,8 +19,8 @@
 #include "vector.h"
 #include "write_pins.h"
 
-/* The keys that follow from the pins, and the kinds of mechanism: a slider-crank keeps the direction of its line of
-** stroke, an inverted one the line of its slide on the lever. */
+/* The keys that follow from the pins, and the kinds of mechanism: a slider-crank keeps the direction of
+** its line of stroke, an inverted one the line of its slide on the lever. */
 static const struct {
     key_code key;
     int kinds;

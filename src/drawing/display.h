@@ -62,10 +62,11 @@ typedef enum display_part {
 /* What is drawn later lies in front. */
 enum { DISPLAY_BACK, DISPLAY_CURVES, DISPLAY_LINES, DISPLAY_FRONT, DISPLAY_LAYERS };
 
-/* What moves as one has a frame: its coordinates in it are the same at all steps of a motion.  A place says by which
-** frame it is held, by the key of an item of this sort, or 0 for the sheet.  The places of a frame are its origin, and
-** one on its x axis, unless it is upright: a place of its own, of a body that turns, or one that something else holds.
-** With the size 1, coordinates along x are parts of the way between the two. */
+/* What moves as one has a frame: its coordinates in it are the same at all steps of a motion.  A place
+** says by which frame it is held, by the key of an item of this sort, or 0 for the sheet.  The places of
+** a frame are its origin, and one on its x axis, unless it is upright: a place of its own, of a body
+** that turns, or one that something else holds.  With the size 1, coordinates along x are parts of the
+** way between the two. */
 
 typedef struct display_item {
     display_sort sort;

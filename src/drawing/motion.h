@@ -50,8 +50,8 @@ int motion_is_label(const motion_item *x);
 ** steps before continues it; it has the same words, but its value and its unit may differ. */
 void motion_add(motion *m, size_t step, const display *d);
 
-/* The number of the frame that holds a track, among the items; of all of them for the sheet.  The coordinates of a track
-** in a frame at a step, and the angle of the frame, rad, downwards as pixels are. */
+/* The number of the frame that holds a track, among the items; of all of them for the sheet.  The
+** coordinates of a track in a frame at a step, and the angle of the frame, rad, downwards as pixels are. */
 size_t motion_frame_of(const motion *m, size_t track);
 fourlink_vector motion_seen(const motion *m, size_t frame, size_t track, size_t step);
 double motion_angle(const motion *m, size_t frame, size_t step);

@@ -558,7 +558,8 @@ static fourlink_vector place_in_body(const display *d, const display_item *x, si
                : place_at(GSL_NAN, GSL_NAN);
 }
 
-/* The key of the body with which an item moves as a whole; 0: none.  Texts and centres of mass stay upright. */
+/* The key of the body with which an item moves as a whole; 0: none.  Texts and centres of mass stay
+** upright. */
 static unsigned long body_of(const moving_item *m)
 {
     unsigned long key = m->x->n ? m->of->holds[m->x->first] : 0;
@@ -580,7 +581,8 @@ static unsigned long body_of(const moving_item *m)
     return key;
 }
 
-/* Where a body is, or its angle in degrees, without a jump from that of the step before; the same if it is not there. */
+/* Where a body is, or its angle in degrees, without a jump from that of the step before; the same if it
+** is not there. */
 static fourlink_vector pose_of(const display *d, unsigned long body, int is_turn,
                                fourlink_vector last)
 {
@@ -625,7 +627,8 @@ static void put_transform(FILE *out, const moving_item *m, int is_turn)
     fputs("\"/>", out);
 }
 
-/* Write an item that moves with a body as it is in its frame, in the group of the one before if that is the same. */
+/* Write an item that moves with a body as it is in its frame, in the group of the one before if that is
+** the same. */
 static void put_in_group(FILE *out, moving_item *m, unsigned long last)
 {
     display seen = *m->of;

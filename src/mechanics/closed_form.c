@@ -57,7 +57,8 @@ static int drive_with_one(const flk_kind *kind, const fourlink_mechanism *mechan
     return FOURLINK_OK;
 }
 
-/* Forces are linear in the loads: those with the crank driving, and those of the drive with the effort Q = Ts / K. */
+/* Forces are linear in the loads: those with the crank driving, and those of the drive with the effort Q
+** = Ts / K. */
 static void replace_crank(const flk_factors *factors, fourlink_forces *forces)
 {
     const fourlink_forces *unit = &factors->unit;

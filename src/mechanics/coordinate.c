@@ -2,9 +2,9 @@
 **
 ** coordinate.c - the crank by a coordinate that is prescribed.
 **
-** The crank angle that belongs to a value follows in closed form from the kind's record, or is searched where there is
-** none; the rates from the very row at unit speed, so that near a dead position of the crank all errors are those of one
-** position.
+** The crank angle that belongs to a value follows in closed form from the kind's record, or is searched
+** where there is none; the rates from the very row at unit speed, so that near a dead position of the crank
+** all errors are those of one position.
 */
 #include <math.h>
 
@@ -43,7 +43,8 @@ static int is_same(const flk_coordinate *q, const fourlink_mechanism *mechanism,
     return fabs(apart) <= ON_BRANCH * scale_of(q, mechanism);
 }
 
-/* The crank angle of a piston beyond a change point, where its x is still that of the branch b that the mechanism is on:
+/* The crank angle of a piston beyond a change point, where its x is still that of the branch b that the
+** mechanism is on:
 **
 **    X = b (x_dc - x)
 */
@@ -55,10 +56,10 @@ static double find_beyond(const fourlink_mechanism *mechanism, fourlink_branch b
                     (double)branch * (mechanism->dead_centre - x));
 }
 
-/* The crank angles of a value on a side of a branch, with links 3 and 4 on the side of it or, beyond a change point, of the
-** other one; NaN where there is none.  Of an
-** actuator of length n from the ground point G to a point P of the crank, gamma is the angle at A of the triangle APG, and
-** of one to link 4 that at D:
+/* The crank angles of a value on a side of a branch, with links 3 and 4 on the side of it or, beyond a
+** change point, of the other one; NaN where there is none.  Of an actuator of length n from the ground
+** point G to a point P of the crank, gamma is the angle at A of the triangle APG, and of one to link 4 that
+** at D:
 **
 **    theta2 = angle of AG - angle of P in the crank's axes +- gamma,   n rises with + gamma
 **    theta4 alike about D;                                             it rises with + gamma where theta4 does
@@ -123,8 +124,8 @@ double flk_coordinate_in_turn(const flk_coordinate *q, const flk_stretch *stretc
     return flk_cycle_place(value, stretch->from + turn * (stretch->side > 0 ? n : -n - 1), turn);
 }
 
-/* 1 if a value of a stretch of more than one turn is in the same turn as a crank angle; where a turn begins, both are at
-** the same distance from the beginning. */
+/* 1 if a value of a stretch of more than one turn is in the same turn as a crank angle; where a turn
+** begins, both are at the same distance from the beginning. */
 static int is_in_turn(const flk_coordinate *q, const flk_stretch *stretch, double theta2,
                       double value)
 {
@@ -143,8 +144,8 @@ static int move_into(const flk_stretch *stretch, double period, double *theta2)
     return *theta2 <= stretch->theta2_to + INSIDE;
 }
 
-/* 1 if the groups that move a coordinate have no position at an end of a stretch: they are in a dead one, beside which
-** rounding may not assemble them. */
+/* 1 if the groups that move a coordinate have no position at an end of a stretch: they are in a dead
+** one, beside which rounding may not assemble them. */
 static int is_where_reduced_ends(const flk_coordinate *q, const fourlink_mechanism *mechanism,
                                  fourlink_branch branch, double theta2)
 {
@@ -172,9 +173,9 @@ static int take_end(const flk_coordinate *q, const fourlink_mechanism *mechanism
                : status;
 }
 
-/* The crank angle of a value in a stretch of a branch.  Beyond a change point links 3 and 4 are on the side of the other
-** branch, for half a turn or for a whole one.  A place without a row has the status of one of the angles that come into
-** question. */
+/* The crank angle of a value in a stretch of a branch.  Beyond a change point links 3 and 4 are on the
+** side of the other branch, for half a turn or for a whole one.  A place without a row has the status of
+** one of the angles that come into question. */
 static int find_crank(const flk_coordinate *q, const fourlink_mechanism *mechanism,
                       fourlink_branch branch, const flk_stretch *stretch, double value,
                       double *theta2, flk_prescribed *unit, fourlink_state *state)
@@ -366,7 +367,7 @@ double flk_coordinate_theta2(const flk_coordinate *q, const fourlink_mechanism *
     return crank.theta2;
 }
 
-/* ------------------------------------------------------------------------------------------------- stretches */
+/* -------------------------------------------------------------------------------------------- stretches */
 
 /* K as a function of theta2. */
 typedef struct rate_search {
@@ -388,8 +389,8 @@ static double rate_at(double theta2, void *data)
                : GSL_NAN;
 }
 
-/* Add a stretch that goes a way, which tells the whole turns of an angle, if it has a length; one that is searched may have no
-** value at an end. */
+/* Add a stretch that goes a way, which tells the whole turns of an angle, if it has a length; one that
+** is searched may have no value at an end. */
 static int add_stretch(const rate_search *s, double from, double to, double way, flk_stretch *list,
                        int n)
 {
@@ -445,7 +446,8 @@ static double nearness_of_rate(double theta2, void *data)
 
 #define NEAR 0.5 /* of a sample: a dip that may pass 0 beside it */
 
-/* Where three samples of K of one sign dip towards 0, the lowest place; it may be beyond 0, between two dead centres. */
+/* Where three samples of K of one sign dip towards 0, the lowest place; it may be beyond 0, between two
+** dead centres. */
 static int find_dip(stretches *t, const flk_sample p[3], flk_sample *lowest)
 {
     double bend = p[0].value - 2 * p[1].value + p[2].value, slope = p[2].value - p[0].value;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** coordinate.h - the crank by a coordinate that is prescribed: rocker or lever, piston or yoke, slide; slider or rocker of a
-** group; the length of an actuator.
+** coordinate.h - the crank by a coordinate that is prescribed: rocker or lever, piston or yoke, slide;
+** slider or rocker of a group; the length of an actuator.
 **
 ** A coordinate q that is prescribed gives the crank:
 **
@@ -14,8 +14,8 @@
 
 #include "coordinate_search.h"
 
-/* The crank where a coordinate is as prescribed, on a branch and in a stretch.  FOURLINK_OK; FOURLINK_NO_SUCH_ANGLE;
-** FOURLINK_INPUT_DEAD_CENTRE, with theta2 set; or the status of the position. */
+/* The crank where a coordinate is as prescribed, on a branch and in a stretch.  FOURLINK_OK;
+** FOURLINK_NO_SUCH_ANGLE; FOURLINK_INPUT_DEAD_CENTRE, with theta2 set; or the status of the position. */
 int flk_coordinate_crank(const flk_coordinate *q, const fourlink_mechanism *mechanism,
                          fourlink_branch branch, const flk_stretch *stretch,
                          const flk_prescribed *at, fourlink_crank *crank);
@@ -25,8 +25,8 @@ int flk_coordinate_crank_in(const flk_coordinate *q, const fourlink_mechanism *m
                             fourlink_branch branch, const flk_stretch *stretch,
                             const flk_prescribed *at, fourlink_crank *crank, fourlink_state *state);
 
-/* The same at rest, without acceleration, where the coordinate goes as c (t - t0)^4, as from flk_program_from_rest.  At its
-** dead centre, where q - q0 = L (theta2 - theta2_0)^2 / 2,
+/* The same at rest, without acceleration, where the coordinate goes as c (t - t0)^4, as from
+** flk_program_from_rest.  At its dead centre, where q - q0 = L (theta2 - theta2_0)^2 / 2,
 **
 **    omega2 = 0,   alpha2 = +- 2 sqrt(2 c / L)
 **
@@ -35,8 +35,9 @@ int flk_coordinate_crank_from_rest(const flk_coordinate *q, const fourlink_mecha
                                    fourlink_branch branch, const flk_stretch *stretch, double value,
                                    double c, fourlink_crank *crank);
 
-/* The motion in a dead position of the crank, of which a coordinate that link 3 or 4 has can carry it: a state with sine 0 and
-** omega2 = 0, and alpha2 the limit (mechanism.h).  FOURLINK_DEAD_POSITION if it cannot. */
+/* The motion in a dead position of the crank, of which a coordinate that link 3 or 4 has can carry it: a
+** state with sine 0 and omega2 = 0, and alpha2 the limit (mechanism.h).  FOURLINK_DEAD_POSITION if it
+** cannot. */
 int flk_coordinate_swing(const flk_coordinate *q, const fourlink_mechanism *mechanism,
                          fourlink_branch branch, const flk_prescribed *at, double theta2,
                          int angles, fourlink_state *state);
@@ -48,8 +49,8 @@ int flk_coordinate_crank_at(const flk_coordinate *q, const fourlink_mechanism *m
 /* 1 if a coordinate is an angle that goes on turning as the crank does. */
 int flk_coordinate_turns(const flk_coordinate *q, const flk_stretch *stretch);
 
-/* A value moved by whole turns to what it is at a crank angle of a stretch: of one of more than one turn, over which crank and
-** link 4 turn alike; of any where it is searched; else the value. */
+/* A value moved by whole turns to what it is at a crank angle of a stretch: of one of more than one
+** turn, over which crank and link 4 turn alike; of any where it is searched; else the value. */
 double flk_coordinate_in_turn(const flk_coordinate *q, const flk_stretch *stretch, double theta2,
                               double value);
 
@@ -57,7 +58,8 @@ double flk_coordinate_in_turn(const flk_coordinate *q, const flk_stretch *stretc
 double flk_coordinate_between(const flk_coordinate *q, const fourlink_mechanism *mechanism,
                               fourlink_branch branch, const flk_stretch *stretch, double value);
 
-/* The same by the closed form or the search, where there is one, and at the ends of the stretch themselves. */
+/* The same by the closed form or the search, where there is one, and at the ends of the stretch
+** themselves. */
 double flk_coordinate_theta2(const flk_coordinate *q, const fourlink_mechanism *mechanism,
                              fourlink_branch branch, const flk_stretch *stretch, double value);
 

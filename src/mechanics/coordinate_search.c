@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** coordinate_search.c - the crank angle of a coordinate for which there is no closed form: of a slider or rocker of a group,
-** of the length of an actuator on it, on the coupler, between two moving links.
+** coordinate_search.c - the crank angle of a coordinate for which there is no closed form: of a slider or
+** rocker of a group, of the length of an actuator on it, on the coupler, between two moving links.
 **
-** Along a stretch the coordinate only rises or only falls, so a value has one crank angle in it, between two nodes: values
-** at crank angles that are found once for a stretch.  From there by Newton's method, as K is known, or by halves where that
-** leaves the bracket or does not get on:
+** Along a stretch the coordinate only rises or only falls, so a value has one crank angle in it, between
+** two nodes: values at crank angles that are found once for a stretch.  From there by Newton's method, as K
+** is known, or by halves where that leaves the bracket or does not get on:
 **
 **    theta2 <- theta2 - (q - value) / K
 **
@@ -50,7 +50,7 @@ void flk_search_reduce(const flk_coordinate *q, const fourlink_mechanism *mechan
     reduced->design.n_groups = q->n_groups;
 }
 
-/* ---------------------------------------------------------------------------------------------- the stretch */
+/* ------------------------------------------------------------------------------------------ the stretch */
 
 /* The value at a crank angle of a stretch, at its ends too. */
 static double value_in_stretch(const flk_coordinate *q, const fourlink_mechanism *mechanism,
@@ -72,7 +72,8 @@ static double follow(double last, int side, double value)
     return last + side * flk_cycle_place(side * (value - last), -BACK, 2 * M_PI);
 }
 
-/* Where a stretch ends on one side: at `end`, or where a slider is too far on the way to it, from a place near by. */
+/* Where a stretch ends on one side: at `end`, or where a slider is too far on the way to it, from a
+** place near by. */
 static double find_near_end(const flk_coordinate *q, const fourlink_mechanism *mechanism,
                             fourlink_branch branch, double far, double near, double end)
 {
@@ -136,8 +137,8 @@ void flk_search_prepare(const flk_coordinate *q, const fourlink_mechanism *mecha
 
 /* ------------------------------------------------------------------------------------------------ whole turns
 **
-** A stretch that is a whole turn may begin anywhere in it (build_prescribed.c), while its nodes stay where they are: n turns
-** of theta2 add n times what the coordinate turns in each.
+** A stretch that is a whole turn may begin anywhere in it (build_prescribed.c), while its nodes stay where
+** they are: n turns of theta2 add n times what the coordinate turns in each.
 */
 static double turn_of(const flk_stretch *s)
 {
@@ -186,7 +187,7 @@ double flk_search_in_turn(const flk_stretch *s, double theta2, double value)
            follow(s->node[node_at(s, theta2 - n * turn_of(s))].value, s->side, value);
 }
 
-/* ------------------------------------------------------------------------------------------------- the search */
+/* ------------------------------------------------------------------------------------------- the search */
 
 /* A value that is sought between two nodes, in a bracket of crank angles that shrinks. */
 typedef struct search {
@@ -197,8 +198,9 @@ typedef struct search {
     double low, high, from, value; /* the angle is that of `from`, and less than a turn more */
 } search;
 
-/* By how much the coordinate is beyond the value, so that it rises, at an angle inside the bracket, which it replaces one
-** end of; and the next angle.  Where there is no position it is the nearer end of the stretch. */
+/* By how much the coordinate is beyond the value, so that it rises, at an angle inside the bracket,
+** which it replaces one end of; and the next angle.  Where there is no position it is the nearer end of
+** the stretch. */
 static double take_angle(search *x, double theta2, const flk_prescribed *unit, double *next)
 {
     int side = x->stretch->side;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** coordinate_search.h - the stretches on which a coordinate only rises or only falls; the crank angle of a value where there
-** is no closed form.
+** coordinate_search.h - the stretches on which a coordinate only rises or only falls; the crank angle of a
+** value where there is no closed form.
 */
 #ifndef FOURLINK_COORDINATE_SEARCH_H
 #define FOURLINK_COORDINATE_SEARCH_H
@@ -25,8 +25,8 @@ typedef struct flk_stretch {
     flk_stretch_node node[FLK_STRETCH_PARTS + 1]; /* of a coordinate that is searched, end to end */
 } flk_stretch;
 
-/* 1 if the crank angle does not follow from the length of an actuator in closed form: unless it joins the ground to the crank,
-** or to a link 4 that turns. */
+/* 1 if the crank angle does not follow from the length of an actuator in closed form: unless it joins
+** the ground to the crank, or to a link 4 that turns. */
 int flk_search_has_to(const flk_actuator *actuator, fourlink_kind kind);
 
 /* The number of the first groups on which links up to `link` depend. */
@@ -36,7 +36,8 @@ int flk_search_groups(int link);
 void flk_search_reduce(const flk_coordinate *q, const fourlink_mechanism *mechanism,
                        fourlink_mechanism *reduced);
 
-/* Set the values at the ends of a stretch and its nodes, and end it where a slider is far on its way beyond all bounds. */
+/* Set the values at the ends of a stretch and its nodes, and end it where a slider is far on its way
+** beyond all bounds. */
 void flk_search_prepare(const flk_coordinate *q, const fourlink_mechanism *mechanism,
                         fourlink_branch branch, flk_stretch *stretch);
 

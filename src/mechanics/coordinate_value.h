@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** coordinate_value.h - a coordinate that can be prescribed in place of the crank angle, in a state: its value and its rates.
+** coordinate_value.h - a coordinate that can be prescribed in place of the crank angle, in a state: its
+** value and its rates.
 */
 #ifndef FOURLINK_COORDINATE_VALUE_H
 #define FOURLINK_COORDINATE_VALUE_H
@@ -31,8 +32,8 @@ typedef struct flk_coordinate {
     int is_searched;              /* 1: no closed form for the crank angle (coordinate_search.c) */
 } flk_coordinate;
 
-/* By the word of [motion] input, from 1; 0 is the crank angle, and the word after these a name: NAME.length of an
-** actuator, NAME.x or NAME.theta of a group. */
+/* By the word of [motion] input, from 1; 0 is the crank angle, and the word after these a name:
+** NAME.length of an actuator, NAME.x or NAME.theta of a group. */
 #define FLK_COORDINATES 4
 #define FLK_NAMED_INPUT (FLK_COORDINATES + 1)
 extern const flk_coordinate flk_coordinates[FLK_COORDINATES];
@@ -53,8 +54,8 @@ int flk_coordinate_unit_state(const flk_coordinate *q, const fourlink_mechanism 
 /* Set a coordinate of a state, an angle less whole turns.  Nothing else of the state changes. */
 void flk_coordinate_set(const flk_coordinate *q, const flk_prescribed *at, fourlink_state *state);
 
-/* The value where a crank angle is, also at a dead position, a change point, or where an output cannot be assembled; an angle
-** is that of the principal turn. */
+/* The value where a crank angle is, also at a dead position, a change point, or where an output cannot
+** be assembled; an angle is that of the principal turn. */
 double flk_coordinate_value(const flk_coordinate *q, const fourlink_mechanism *mechanism,
                             fourlink_branch branch, double theta2);
 

@@ -373,8 +373,8 @@ static void four_bar_balance(const fourlink_mechanism *mechanism, double fractio
     u->rocker.y = -(link[4].mass * link[4].cg.y + m * c * z->y / b);
 }
 
-/* A dead position, where coupler and rocker lie in one line, u3 = s u4, s = +-1.  The crank stands still, and from the
-** velocity and the acceleration of C, on both links, along u4 and across it,
+/* A dead position, where coupler and rocker lie in one line, u3 = s u4, s = +-1.  The crank stands still,
+** and from the velocity and the acceleration of C, on both links, along u4 and across it,
 **
 **    omega4 = s b omega3 / c
 **    alpha2 = (s b omega3^2 - c omega4^2) / (a sin(theta4 - theta2))
@@ -398,8 +398,9 @@ static void four_bar_swing(const fourlink_mechanism *mechanism, fourlink_state *
     rocker->k_origin = rocker->velocity = rocker->acceleration = zero;
 }
 
-/* The crank from the rocker.  With C = D + c (cos(theta4), sin(theta4)), f = AC and gamma the angle of the triangle ABC
-** at A, theta2 = angle of AC +- gamma; theta4 rises with + gamma on the open branch, - gamma on the crossed one. */
+/* The crank from the rocker.  With C = D + c (cos(theta4), sin(theta4)), f = AC and gamma the angle of
+** the triangle ABC at A, theta2 = angle of AC +- gamma; theta4 rises with + gamma on the open branch, -
+** gamma on the crossed one. */
 static double four_bar_theta2_of(const fourlink_mechanism *mechanism, int coordinate,
                                  fourlink_branch branch, int side, double value)
 {

@@ -11,9 +11,10 @@
 **    guide    y = mu |N|,   or, for a block of length l whose edges press with N1 + N2 = N and
 **             (N2 - N1) l / 2 = M,   y = mu (|N1| + |N2|) = mu max(|N|, 2 |M| / l)
 **
-** All forces x are linear in the four sizes y: x(y) = x0 + S y, where x0 are the forces without friction and
-** column k of S those of a unit load in joint k alone.  The moment at A changes only Ts, so y = phi(x0 + S y)
-** are at most three equations for B, C and D; where another drive takes the place of Ts, it changes all, and they are four.  They are solved by Newton's method, and A follows:
+** All forces x are linear in the four sizes y: x(y) = x0 + S y, where x0 are the forces without friction
+** and column k of S those of a unit load in joint k alone.  The moment at A changes only Ts, so y = phi(x0
+** + S y) are at most three equations for B, C and D; where another drive takes the place of Ts, it changes
+** all, and they are four.  They are solved by Newton's method, and A follows:
 **
 **    (I - Phi S) dy = phi(x0 + S y) - y,   Phi = dphi/dx
 **

@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** group.c - groups: a rod or a block on a point P of a moving link, and a slider or a rocker on the rod or block.
+** group.c - groups: a rod or a block on a point P of a moving link, and a slider or a rocker on the rod or
+** block.
 **
-** A group is a dyad (an Assur group): it has no degree of freedom, and its motion follows from that of P and,
-** for a rocker whose pin is on a moving link, of this pin.  To the link that carries it, it is a force -FP at
-** P, or at the block in the link's slot.  So groups move after the four links, each after those on which it hangs,
-** and their forces are found before those of the four links, the outermost first (group_forces.c).
+** A group is a dyad (an Assur group): it has no degree of freedom, and its motion follows from that of P
+** and, for a rocker whose pin is on a moving link, of this pin.  To the link that carries it, it is a force
+** -FP at P, or at the block in the link's slot.  So groups move after the four links, each after those on
+** which it hangs, and their forces are found before those of the four links, the outermost first
+** (group_forces.c).
 */
 #include <math.h>
 #include <string.h>

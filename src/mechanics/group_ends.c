@@ -2,11 +2,11 @@
 **
 ** group_ends.c - the crank angles at which the groups of a mechanism begin or cease to be assembled.
 **
-** There is no closed form: the margin of the groups is sampled over the ranges in which the four links can be
-** assembled, more closely towards their ends, where it can change as the root of the distance.  Between two
-** samples of other signs base/solve finds its zero.  Where three samples of one sign show a peak towards 0,
-** the peak is found first, as two zeros may be beside it.  A slot of a link turns through the line of a slider: there
-** the margin only touches 0, and the sine itself changes its sign.
+** There is no closed form: the margin of the groups is sampled over the ranges in which the four links can
+** be assembled, more closely towards their ends, where it can change as the root of the distance.  Between
+** two samples of other signs base/solve finds its zero.  Where three samples of one sign show a peak
+** towards 0, the peak is found first, as two zeros may be beside it.  A slot of a link turns through the
+** line of a slider: there the margin only touches 0, and the sine itself changes its sign.
 */
 #include <math.h>
 

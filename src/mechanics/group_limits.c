@@ -2,8 +2,8 @@
 **
 ** group_limits.c - the stroke or swing of a group, over a turn of the crank.
 **
-** There is no closed form: its rate by theta2 is sampled, and between two samples of other signs base/solve finds its
-** zero, where the group turns back.
+** There is no closed form: its rate by theta2 is sampled, and between two samples of other signs base/solve
+** finds its zero, where the group turns back.
 */
 #include <math.h>
 
@@ -27,8 +27,8 @@ typedef struct search {
     int n_returns; /* places where the rate changes its sign */
 } search;
 
-/* The place of the slider along its line, or the angle of the rocker, and its rate by theta2; NaN where the mechanism
-** cannot be assembled. */
+/* The place of the slider along its line, or the angle of the rocker, and its rate by theta2; NaN where
+** the mechanism cannot be assembled. */
 static double value_at(const search *x, double theta2, double *rate)
 {
     const fourlink_group *g = &x->mechanism->design.group[x->group];

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** group_slot.c - groups that hang by a slot: a block runs in a slot of the slider or rocker, on the pin P of the carrying
-** link, or in a slot of the carrying link, on the pin Q of the slider or rocker.
+** group_slot.c - groups that hang by a slot: a block runs in a slot of the slider or rocker, on the pin P
+** of the carrying link, or in a slot of the carrying link, on the pin Q of the slider or rocker.
 **
 ** e is the direction of the slot and n = J e.  The block has no mass: its forces are S n.
 */
@@ -31,7 +31,8 @@ int flk_group_slot_is_good(const fourlink_group *g)
     ((vel).x = (link)->velocity.x - (link)->omega * (r).y, \
      (vel).y = (link)->velocity.y + (link)->omega * (r).x)
 
-/* The rate of the block along the slot, for the link that has the slot: e.(v - its velocity where the block is). */
+/* The rate of the block along the slot, for the link that has the slot: e.(v - its velocity where the
+** block is). */
 static double rate_in(const fourlink_link_state *block, const fourlink_link_state *link)
 {
     fourlink_vector r, v;
@@ -63,8 +64,8 @@ void flk_group_slide(const fourlink_mechanism *mechanism, const fourlink_state *
 
 /* --------------------------------------------------------------------------------------------- slider
 **
-** With d = P - P0, u the direction of the line through P0, v and a of the carrying link where the block is, and omega of the
-** slot, 0 if it is the slider's,
+** With d = P - P0, u the direction of the line through P0, v and a of the carrying link where the block is,
+** and omega of the slot, 0 if it is the slider's,
 **
 **    S = (d x e) / (u x e),   Q = P0 + S u
 **    S' = (v x e) / (u x e),   w = e.(S' u - v) in a slot of the link
@@ -207,7 +208,8 @@ static void accelerate_rocker_with_slot(const flk_hanging *h, const fourlink_vec
 
 /* ------------------------------------------------------------------- rocker with its pin in a slot of the link
 **
-** With r the rocker, e6 its axis from its pin D to Q, v and a of the carrying link at Q, omega and alpha its own,
+** With r the rocker, e6 its axis from its pin D to Q, v and a of the carrying link at Q, omega and alpha
+** its own,
 **
 **    c = n.(P - D) / r,   e6 = c n +- sqrt(1 - c^2) e,   Q = D + r e6
 **    omega6 = n.v / (r e.e6),   w = e.(r omega6 J e6 - v)

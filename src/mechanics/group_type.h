@@ -14,8 +14,8 @@ typedef struct flk_hanging {
     fourlink_link_state *rod, *end;     /* rod or block; slider or rocker */
 } flk_hanging;
 
-/* A type: its motion from that of the carrying link, its forces from those on its bodies.  The rod's origin is P
-** with its motion before each step; a block's is where it is in the slot.
+/* A type: its motion from that of the carrying link, its forces from those on its bodies.  The rod's origin
+** is P with its motion before each step; a block's is where it is in the slot.
 **
 ** place        axes and origins of both links; returns the square of the sine of its position, negative where it
 **              cannot be assembled; in a dead position they are those in line, unless pins meet

@@ -291,8 +291,8 @@ static void inverted_balance(const fourlink_mechanism *mechanism, double fractio
     u->rocker.y = -(link[4].mass * link[4].cg.y + link[3].mass * FLK_CROSS(*lever, *z));
 }
 
-/* A dead position, where B is at the foot of the perpendicular from D, s = 0.  The crank stands still; from the second
-** derivative of B - D = s u + h n, with beta = theta3 - theta2,
+/* A dead position, where B is at the foot of the perpendicular from D, s = 0.  The crank stands still; from
+** the second derivative of B - D = s u + h n, with beta = theta3 - theta2,
 **
 **    ds/dt = h omega4,   a alpha2 cos(beta) = h omega4^2,   d2s/dt2 = a alpha2 sin(beta) + h alpha4
 */

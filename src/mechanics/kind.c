@@ -235,7 +235,8 @@ void flk_kind_set_ranges(fourlink_reach *reach, int is_low, double lowest, int i
     }
 }
 
-/* Half angles keep the digits where the triangle is nearly a line: with sides l opposite to the angle, a and f,
+/* Half angles keep the digits where the triangle is nearly a line: with sides l opposite to the angle, a
+** and f,
 **
 **    sin^2(gamma/2) = (l - f + a) (l + f - a) / (4 a f)
 **    cos^2(gamma/2) = (f + a - l) (f + a + l) / (4 a f)

@@ -58,8 +58,8 @@ enum { FLK_NO_LENGTH, FLK_LENGTH, FLK_LENGTH_OR_NONE };
 ** turns         the angle of link 3 or 4, continuous in theta2 (turns.c)
 ** balance       the counterweights; `fraction` of a reciprocating mass (balance.c)
 ** swing         the motion of a dead position, from omega and alpha of link 3, which is placed and turns about B, where the
-**               crank stands still: alpha of the crank, and of link 4 as `velocity` and `acceleration`, with k for a unit
-**               of omega3; null where there is no dead position
+**               crank stands still: alpha of the crank, and of link 4 as `velocity` and `acceleration`,
+**               with k for a unit of omega3; null where there is no dead position
 ** theta2_of     the crank angle, rad, less whole turns, at which a coordinate (coordinate.h) has a value, with links 3
 **               and 4 on the side of this branch, where it rises (1) or falls (-1); NaN if there is none
 */
@@ -97,14 +97,14 @@ typedef struct flk_kind {
                         int side, double value);
 } flk_kind;
 
-/* The angle, rad, opposite the first of three sides of a triangle; `slack` is the sum of the first two less the third.
-** NaN if they do not close. */
+/* The angle, rad, opposite the first of three sides of a triangle; `slack` is the sum of the first two
+** less the third.  NaN if they do not close. */
 double flk_kind_angle(double opposite, double p, double q, double slack);
 
 extern const flk_kind flk_four_bar, flk_slider_crank, flk_inverted, flk_scotch_yoke;
 
-/* The crank of an engine with a stroke; half the stroke for one that this rod (0: a yoke, which has none) and offset do not
-** allow. */
+/* The crank of an engine with a stroke; half the stroke for one that this rod (0: a yoke, which has
+** none) and offset do not allow. */
 double flk_slider_crank_of_stroke(double stroke, double rod, double offset);
 
 /* The record of a kind; null if the kind does not exist. */
@@ -129,9 +129,9 @@ void flk_kind_set_ranges(fourlink_reach *reach, int is_low, double lowest, int i
 ** assembled. */
 double flk_kind_clamp(double x);
 
-/* A position whose forces are to be found, for any loads.  The nine equations have their matrix, factored
-** (nine_equations.c): banded, and with a drive that is not the crank with a wider band.  The closed form has the forces
-** of such a drive with the effort 1. */
+/* A position whose forces are to be found, for any loads.  The nine equations have their matrix,
+** factored (nine_equations.c): banded, and with a drive that is not the crank with a wider band.  The
+** closed form has the forces of such a drive with the effort 1. */
 #define FLK_BELOW 3 /* the band of the matrix, beside its diagonal */
 #define FLK_ABOVE 2
 #define FLK_BAND (2 * FLK_BELOW + FLK_ABOVE + 1)

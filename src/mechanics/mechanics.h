@@ -74,7 +74,8 @@ int flk_check_length(double length);
     ((i) <= FOURLINK_FOLLOWER ? &(mechanism)->design.link[i] \
                               : &(mechanism)->design.group[((i)-5) / 2].body[((i)-5) % 2])
 
-/* The smallest sine of a position, in size: how near it is to a dead position of links 3 and 4, or of a group. */
+/* The smallest sine of a position, in size: how near it is to a dead position of links 3 and 4, or of a
+** group. */
 #define FLK_SINE(state) \
     (fabs((state)->sine) < (state)->group_sine ? fabs((state)->sine) : (state)->group_sine)
 

@@ -134,8 +134,8 @@ static void put_joints(const flk_kind *kind, const fourlink_mechanism *mechanism
     A[at->row[2] + at->column[8]] = 1;
 }
 
-/* With a drive that is not the crank the ninth unknown is its effort: the column has its loads for the effort 1, on the
-** side of the unknowns.  It is divided by its largest coefficient, which is returned. */
+/* With a drive that is not the crank the ninth unknown is its effort: the column has its loads for the
+** effort 1, on the side of the unknowns.  It is divided by its largest coefficient, which is returned. */
 static double put_drive(const flk_unit_drive *drive, const fourlink_mechanism *mechanism,
                         const fourlink_state *state, const fourlink_vector about[3],
                         const scaling *scale, const layout *at, double *A)
@@ -195,7 +195,8 @@ static const scaling banded_scale = {{0, 0, LATER *LATER, LATER, 1}, {0, 0, LATE
 static const layout banded[2] = {{ROWS, PLACES(COLUMN, 2, 3)}, {ROWS, PLACES(COLUMN, 3, 2)}};
 static const int places[2][9] = {PLACES(PLACE, 2, 3), PLACES(PLACE, 3, 2)};
 
-/* With the effort of a drive between F34 and F23, whose loads can be on any link, the band is 4 below and 4 above. */
+/* With the effort of a drive between F34 and F23, whose loads can be on any link, the band is 4 below
+** and 4 above. */
 #define WIDE_COLUMN(j) ((FLK_WIDE_BAND - 1) * (j) + FLK_WIDE + FLK_WIDE)
 #define WIDE_PLACES(X, x34, y34)                                 \
     {                                                            \

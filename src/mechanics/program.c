@@ -39,7 +39,7 @@ static void turn_half(double u, shape *x)
     x->second = -x->second;
 }
 
-/* ---------------------------------------------------------------------------------------------------- laws */
+/* ------------------------------------------------------------------------------------------------- laws */
 
 /* s = (1 - cos pi u) / 2 */
 static void harmonic(const flk_program_segment *g, double u, shape *x)
@@ -191,14 +191,14 @@ static void find_shape(const flk_program_segment *g, double u, shape *x)
     x->second *= rise;
 }
 
-/* -------------------------------------------------------------------------------------------------- splines */
+/* ---------------------------------------------------------------------------------------------- splines */
 
 /* The second derivatives M of a spline over n segments, for continuous speeds d = H / T:
 **
 **    T[i-1] M[i-1] + 2 (T[i-1] + T[i]) M[i] + T[i] M[i+1] = 6 (d[i] - d[i-1])
 **
-** by elimination, without pivots: each row has its largest coefficient on the diagonal.  GSL's splines have no
-** speeds at their ends, and its solvers reach the host's error handler. */
+** by elimination, without pivots: each row has its largest coefficient on the diagonal.  GSL's splines
+** have no speeds at their ends, and its solvers reach the host's error handler. */
 typedef struct equations {
     double *diagonal, *right,
         *of_first; /* n + 1 of each; the coefficient of M[0] where it repeats */
@@ -221,8 +221,8 @@ static void set_inner(const flk_program_segment *g, unsigned long n, const equat
     }
 }
 
-/* Solve rows first to last, of which each has the lengths of segments beside it; the M of the point behind the
-** last row is 0. */
+/* Solve rows first to last, of which each has the lengths of segments beside it; the M of the point
+** behind the last row is 0. */
 static void eliminate(const flk_program_segment *g, unsigned long first, unsigned long last,
                       const equations *e)
 {
@@ -328,7 +328,7 @@ static void solve_splines(flk_program *p, const equations *e)
     }
 }
 
-/* ------------------------------------------------------------------------------------------------- programs */
+/* --------------------------------------------------------------------------------------------- programs */
 
 void flk_program_prepare(flk_program *p, double *room)
 {
@@ -379,8 +379,8 @@ static void inner_corners(const flk_program_segment *g, double inner[2])
     inner[1] = g->law == FLK_LAW_TRAPEZOID ? 1 - g->ramp[1] : 1 - SINE_PART;
 }
 
-/* The segment of a time, and the place in it.  The time of a row is rounded: one that is that of a corner but for
-** rounding is at the corner, where the next part begins. */
+/* The segment of a time, and the place in it.  The time of a row is rounded: one that is that of a
+** corner but for rounding is at the corner, where the next part begins. */
 #define ROUNDED (8 * DBL_EPSILON)
 
 static const flk_program_segment *find_place(const flk_program *p, double time, double *u)

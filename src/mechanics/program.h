@@ -54,8 +54,8 @@ typedef struct flk_program {
 ** `bend` and `coordinate`; `room` is for 3 numbers a segment. */
 void flk_program_prepare(flk_program *p, double *room);
 
-/* The coordinate, its speed and acceleration at a time.  Where the acceleration jumps it is that of the segment
-** that begins, at the end of the program that of the last one. */
+/* The coordinate, its speed and acceleration at a time.  Where the acceleration jumps it is that of the
+** segment that begins, at the end of the program that of the last one. */
 void flk_program_at(const flk_program *p, double time, double x[3]);
 
 /* The highest speed, or nearly so. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** program_ways.c - where a program goes: its ways, on each of which the coordinate only rises or only falls, and how it
-** leaves a place at rest.
+** program_ways.c - where a program goes: its ways, on each of which the coordinate only rises or only
+** falls, and how it leaves a place at rest.
 */
 #include <math.h>
 #include <stddef.h>
@@ -93,7 +93,7 @@ void flk_program_limits(const flk_program *p, flk_program_reach *r)
     }
 }
 
-/* ------------------------------------------------------------------------------------------------ from rest */
+/* -------------------------------------------------------------------------------------------- from rest */
 
 /* What a law begins with: s = c u^n.  Its end is its beginning turned. */
 static const struct {

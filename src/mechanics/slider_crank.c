@@ -14,8 +14,8 @@
 #include "coordinate.h"
 #include "kind.h"
 
-/* The stroke S is the distance between the dead centres, where crank and rod are in line (two right triangles with the leg
-** e):
+/* The stroke S is the distance between the dead centres, where crank and rod are in line (two right
+** triangles with the leg e):
 **
 **    S = sqrt((l + r)^2 - e^2) - sqrt((l - r)^2 - e^2),  r^2 = S^2/4 (4 l^2 - 4 e^2 - S^2) / (4 l^2 - S^2)
 **
@@ -281,7 +281,8 @@ static void slider_crank_balance(const fourlink_mechanism *mechanism, double fra
     u->rocker.x = u->rocker.y = 0;
 }
 
-/* A dead position, where the rod is perpendicular to the line of stroke.  The crank stands still, and C stays on its line:
+/* A dead position, where the rod is perpendicular to the line of stroke.  The crank stands still, and C
+** stays on its line:
 **
 **    dX/dt = -l omega3 sin(theta3),   r alpha2 cos(theta2) = l omega3^2 sin(theta3)
 **    d2X/dt2 = -r alpha2 sin(theta2) - l alpha3 sin(theta3)

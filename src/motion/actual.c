@@ -127,11 +127,11 @@ static void integrate(flk_actual *m, fourlink_branch branch, on_branch *b)
     b->is_known = 0;
 }
 
-/* Find the facts of the steady motion that a run-up approaches; 0 if memory fails.  Two motions of a machine
-** never have the same energy at the same angle.  A motion from rest that completes the first cycle has gained
-** energy, so it gains energy in every later cycle too, and settles at the steady motion.  It stalls in the
-** first cycle or never; rows that end earlier do not decide this.  A run-up that ends never reaches it, unless
-** it merely needs too many steps. */
+/* Find the facts of the steady motion that a run-up approaches; 0 if memory fails.  Two motions of a
+** machine never have the same energy at the same angle.  A motion from rest that completes the first
+** cycle has gained energy, so it gains energy in every later cycle too, and settles at the steady
+** motion.  It stalls in the first cycle or never; rows that end earlier do not decide this.  A run-up
+** that ends never reaches it, unless it merely needs too many steps. */
 static int find_approached(const flk_actual *m, const on_branch *b, flk_actual_facts *f)
 {
     flk_path p = b->path;

@@ -20,9 +20,10 @@ flk_actual *flk_actual_open(const deck *d, flk_corners *corners, flk_acting *act
                             double period, int winds);
 void flk_actual_free(flk_actual *m);
 
-/* Integrate the motion of a branch, if that is not done, and with `has_facts` find its facts: for those of a run-up
-** the steady motion is sought that it approaches.  FOURLINK_OK, FOURLINK_NO_MEMORY.  It is called before anything is
-** asked of a branch; then no status below means that memory failed.  Nothing to do if `m` is null. */
+/* Integrate the motion of a branch, if that is not done, and with `has_facts` find its facts: for those
+** of a run-up the steady motion is sought that it approaches.  FOURLINK_OK, FOURLINK_NO_MEMORY.  It is
+** called before anything is asked of a branch; then no status below means that memory failed.  Nothing
+** to do if `m` is null. */
 int flk_actual_prepare(flk_actual *m, fourlink_branch branch, int has_facts);
 
 /* The crank at an angle of the motion, in the deck's unit: FOURLINK_OK, or why the machine does not get
@@ -43,8 +44,8 @@ double flk_actual_time(flk_actual *m, fourlink_branch branch);
 /* 1 if the motion starts from rest. */
 int flk_actual_from_rest(const deck *d);
 
-/* The facts of a branch; null if `m` is null (the motion is given).  Unless they are prepared, only how and where the
-** motion ends is known. */
+/* The facts of a branch; null if `m` is null (the motion is given).  Unless they are prepared, only how
+** and where the motion ends is known. */
 const flk_actual_facts *flk_actual_facts_of(flk_actual *m, fourlink_branch branch);
 
 #endif

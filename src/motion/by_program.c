@@ -11,7 +11,7 @@
 #include "base/solve.h"
 #include "course.h"
 
-/* --------------------------------------------------------------------------------------- of the crank angle */
+/* ----------------------------------------------------------------------------------- of the crank angle */
 
 static int crank_at(const flk_course *c, fourlink_branch branch, int side, double time,
                     fourlink_row *row, flk_actual_row *actual)
@@ -42,12 +42,13 @@ static void crank_begin(const flk_course *c, flk_pieces *x)
     x->rate = duration / x->length;
 }
 
-/* -------------------------------------------------------------------------------------------- of an input */
+/* ------------------------------------------------------------------------------------------ of an input */
 
 #define CLOSE 1e-9 /* of a stretch: a value that is written with fewer digits */
 
-/* A value of a program in a stretch, and by how much the crank angle is then another: whole turns.  An angle may be a
-** whole turn from where a stretch has it, and where it can turn fully a program goes over any number of turns. */
+/* A value of a program in a stretch, and by how much the crank angle is then another: whole turns.  An
+** angle may be a whole turn from where a stretch has it, and where it can turn fully a program goes over
+** any number of turns. */
 static double into_stretch(const deck_prescribed *x, const flk_stretch *s, double value,
                            double *beyond)
 {
@@ -109,8 +110,8 @@ static double theta2_by_program(const flk_course *c, fourlink_branch branch, dou
     return beyond + flk_coordinate_theta2(x->q, &c->d->machine.mechanism, branch, s, value);
 }
 
-/* A rad of the length is the time in which the crank turns through a rad where the coordinate is quickest, if it turned
-** evenly with it. */
+/* A rad of the length is the time in which the crank turns through a rad where the coordinate is
+** quickest, if it turned evenly with it. */
 static void input_begin(const flk_course *c, flk_pieces *x)
 {
     const flk_program *program = c->d->program;
@@ -129,7 +130,7 @@ static void input_begin(const flk_course *c, flk_pieces *x)
     x->rate = duration / x->length;
 }
 
-/* -------------------------------------------------------------------------------------------------- pieces */
+/* ----------------------------------------------------------------------------------------------- pieces */
 
 /* What is sought along a program: a crank angle. */
 typedef struct crank_search {
@@ -152,8 +153,8 @@ static double find_crank(crank_search *s, double from, double to)
     return flk_find_zero(crank_past, s, &b, 0);
 }
 
-/* The kind of end at a time: where the stretch of an input ends, its dead centre or a dead position.  At rest there
-** without a jump the motion is smooth over the time, but the force of the drive has a pole. */
+/* The kind of end at a time: where the stretch of an input ends, its dead centre or a dead position.  At
+** rest there without a jump the motion is smooth over the time, but the force of the drive has a pole. */
 static flk_piece_end end_at_time(const flk_pieces *x, double time, flk_piece_end of_position)
 {
     const deck_prescribed *of = x->course->d->prescribed;
@@ -206,7 +207,7 @@ static void next_piece(const flk_pieces *x, flk_piece *piece)
     piece->to = to < x->end ? (to - x->first) / x->rate : x->length;
 }
 
-/* ------------------------------------------------------------------------------------------------ a crank angle */
+/* ---------------------------------------------------------------------------------------- a crank angle */
 
 #define INSIDE 1e-12 /* rad: what counts as an end of a way */
 

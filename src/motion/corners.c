@@ -3,10 +3,10 @@
 ** corners.c - the crank angles at which columns are not smooth: switches of the machine, dead positions,
 ** change points, the ends of a working range.
 **
-** Levels of the crank angle are known.  Other variables are smooth in theta2 on each branch: they are sampled
-** twice per degree, and base/solve finds where they cross a level between two samples.  At which angle a
-** speed crosses a level depends on the speed of the crank: unless that has one given speed, such levels are sought
-** along the motion itself, from corner to corner.
+** Levels of the crank angle are known.  Other variables are smooth in theta2 on each branch: they are
+** sampled twice per degree, and base/solve finds where they cross a level between two samples.  At which
+** angle a speed crosses a level depends on the speed of the crank: unless that has one given speed, such
+** levels are sought along the motion itself, from corner to corner.
 */
 #include <math.h>
 #include <stdlib.h>
@@ -44,7 +44,7 @@ static int has_one_speed(const deck *d)
            d->motion.acceleration == 0;
 }
 
-/* ------------------------------------------------------------------------------------ crossings of levels */
+/* ---------------------------------------------------------------------------------- crossings of levels */
 
 /* A variable minus a level, as a function of theta2. */
 typedef struct sought {
@@ -154,7 +154,7 @@ static void find_crossings(flk_corners *c, fourlink_branch branch)
     c->is_known[index_of(branch)] = 1;
 }
 
-/* ------------------------------------------------------------------------- levels of speeds along a motion */
+/* ---------------------------------------------------------------------- levels of speeds along a motion */
 
 #define STEP (M_PI / 180) /* rad passed */
 #define LEAST_STEPS 12
@@ -221,7 +221,7 @@ double flk_corners_of_speed(const flk_corners *c, const flk_moving *m, double fr
     return first;
 }
 
-/* ------------------------------------------------------------------------------- dead centres of the drive */
+/* ---------------------------------------------------------------------------- dead centres of the drive */
 
 /* K of the drive as a function of theta2. */
 static double drive_at(double theta2, void *data)
@@ -240,7 +240,8 @@ static double drive_at(double theta2, void *data)
     return drive.K;
 }
 
-/* Find where the drive stands still while the crank turns: there is no row, and its effort has a pole or a limit. */
+/* Find where the drive stands still while the crank turns: there is no row, and its effort has a pole or
+** a limit. */
 static void find_dead(flk_corners *c, fourlink_branch branch)
 {
     size_t n = (size_t)floor(SAMPLES * c->period / (2 * M_PI) + 0.5), i;
@@ -264,7 +265,7 @@ static void find_dead(flk_corners *c, fourlink_branch branch)
     c->knows_dead[index_of(branch)] = 1;
 }
 
-/* ----------------------------------------------------------------------------------------------- the next */
+/* --------------------------------------------------------------------------------------------- the next */
 
 typedef struct search {
     const flk_direction *p;
@@ -431,10 +432,10 @@ flk_piece_end flk_corners_first(const flk_direction *direction)
     return s.at > CLOSEST ? FLK_END_PLAIN : s.end;
 }
 
-/* ------------------------------------------------------------------------------------------- the switches */
+/* ----------------------------------------------------------------------------------------- the switches */
 
-/* Put the switches over the crank angle first, and those whose corners depend on the speed last; count the levels of the
-** others. */
+/* Put the switches over the crank angle first, and those whose corners depend on the speed last; count
+** the levels of the others. */
 static size_t sort(flk_corners *c, size_t n)
 {
     size_t i, n_levels = 0;

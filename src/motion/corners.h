@@ -71,8 +71,8 @@ typedef struct flk_moving {
     const void *data;
 } flk_moving;
 
-/* The first corner between two angles passed at which a speed crosses one of its levels, if that depends on the crank's
-** speed; infinite if there is none. */
+/* The first corner between two angles passed at which a speed crosses one of its levels, if that depends
+** on the crank's speed; infinite if there is none. */
 double flk_corners_of_speed(const flk_corners *corners, const flk_moving *moving, double from,
                             double to);
 

@@ -29,7 +29,7 @@ static double position_period(const flk_course *c)
     return mechanism->change_stretched != mechanism->change_folded ? 4 * M_PI : 2 * M_PI;
 }
 
-/* ----------------------------------------------------------------------------------------- over the angle */
+/* --------------------------------------------------------------------------------------- over the angle */
 
 static double place_of_angle(const flk_course *c, unsigned long i)
 {
@@ -169,7 +169,7 @@ static void next_over_angle(const flk_pieces *x, flk_piece *piece)
     piece->to = x->length;
 }
 
-/* ------------------------------------------------------------------------------------------- over time, s */
+/* ----------------------------------------------------------------------------------------- over time, s */
 
 double flk_course_place_of_time(const flk_course *c, unsigned long i)
 {
@@ -205,7 +205,7 @@ static void next_over_time(const flk_pieces *x, flk_piece *piece)
     piece->to = piece->from + 2 * SHORT < x->length ? piece->from + SHORT : x->length;
 }
 
-/* ------------------------------------------------------------------------------------------ by a coordinate */
+/* -------------------------------------------------------------------------------------- by a coordinate */
 
 /* A row without a crank: its speeds are NaN. */
 static int without_crank(int status, fourlink_row *row)
@@ -335,8 +335,8 @@ static double way_of(const flk_course *c, fourlink_branch branch, int side)
                 theta2_at(c, branch, side, c->over.first));
 }
 
-/* A rad of the length is a part of the way of the coordinate, in which the crank turns through a rad on average.  Both sides
-** are equally long, also those of one instant, along which nothing moves. */
+/* A rad of the length is a part of the way of the coordinate, in which the crank turns through a rad on
+** average.  Both sides are equally long, also those of one instant, along which nothing moves. */
 static void begin_coordinate(const flk_course *c, flk_pieces *x)
 {
     double one = way_of(c, x->branch, flk_course_first_side(c));
@@ -367,8 +367,8 @@ int flk_course_leaves_dead(const flk_course *c, fourlink_branch branch, int side
            flk_course_swing(c, branch, place, row.crank.theta2, 0, &state) == FOURLINK_OK;
 }
 
-/* How the motion begins or ends at a place: at a dead centre of the coordinate, at which the crank is infinitely quick or
-** comes to rest. */
+/* How the motion begins or ends at a place: at a dead centre of the coordinate, at which the crank is
+** infinitely quick or comes to rest. */
 static flk_piece_end end_at_place(const flk_course *c, fourlink_branch branch, int side,
                                   double place, flk_piece_end of_position)
 {
@@ -478,7 +478,7 @@ static const struct flk_course_type given = {place_of_angle, at_given, find_angl
                                                      find_coordinate, begin_coordinate,
                                                      next_over_coordinate};
 
-/* --------------------------------------------------------------------------------------------- the course */
+/* ------------------------------------------------------------------------------------------- the course */
 
 static const struct flk_course_type *type_of(const deck *d)
 {

@@ -53,18 +53,18 @@ int flk_course_first_side(const flk_course *course);
 /* 1 if some rows are on a side of an input. */
 int flk_course_has_side(const flk_course *course, int side);
 
-/* The crank by an input over whose values the rows go, and unless they are one crank angle the position there: in a state
-** that moves at unit speed. */
+/* The crank by an input over whose values the rows go, and unless they are one crank angle the position
+** there: in a state that moves at unit speed. */
 int flk_course_at_input(const flk_course *course, fourlink_branch branch, int side, double place,
                         fourlink_row *row, fourlink_state *state);
 
-/* What is prescribed at a place of its rows, and the row's place and time; at a crank angle it is as the deck gives it, and
-** the place is the value. */
+/* What is prescribed at a place of its rows, and the row's place and time; at a crank angle it is as the
+** deck gives it, and the place is the value. */
 void flk_course_prescribed_at(const deck_prescribed *prescribed, double place, flk_prescribed *at,
                               fourlink_row *row);
 
-/* Set a prescribed coordinate, its rate and its second rate in the state of a row to what they are, which rounding error
-** of the crank hides: an acceleration that is 0. */
+/* Set a prescribed coordinate, its rate and its second rate in the state of a row to what they are,
+** which rounding error of the crank hides: an acceleration that is 0. */
 void flk_course_set_prescribed(const flk_course *course, double place, fourlink_state *state);
 
 /* 1 if a place is a dead position of the crank that has a row: over the input all is smooth there. */
@@ -104,8 +104,9 @@ int flk_pieces_next(const flk_pieces *pieces, flk_piece *piece);
 struct flk_course_type {
     /* the place of row i */
     double (*place)(const flk_course *c, unsigned long i);
-    /* The crank at a place, of an input on a side; `actual` is filled unless the motion is given.  FOURLINK_OK,
-    ** or why the machine does not get there: only the place and the crank angle are set, the rest is NaN. */
+    /* The crank at a place, of an input on a side; `actual` is filled unless the motion is given.
+    ** FOURLINK_OK, or why the machine does not get there: only the place and the crank angle are set,
+    ** the rest is NaN. */
     int (*at)(const flk_course *c, fourlink_branch branch, int side, double place,
               fourlink_row *row, flk_actual_row *actual);
     /* The place that is meant by a place: of crank angles that of the motion that differs by whole periods (a

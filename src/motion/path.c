@@ -55,7 +55,7 @@ typedef struct cell {
 
 typedef enum ending { IN_CELL, AT_END, AT_STOP, AT_SPEED } ending;
 
-/* ----------------------------------------------------------------------------------------------- one step */
+/* --------------------------------------------------------------------------------------------- one step */
 
 /* The time in which the crank turns through an angle at constant acceleration. */
 static double time_for(const flk_step *step, double angle)
@@ -223,7 +223,7 @@ static int advance_node(flk_path *p, flk_node *node, cell *c, double left, doubl
     return why_none(p, s, FOURLINK_OK);
 }
 
-/* ------------------------------------------------------------------------------------ where a step is cut */
+/* ---------------------------------------------------------------------------------- where a step is cut */
 
 /* The change of an unknown within a step, minus the change sought; the slope of the speed. */
 typedef struct passing {
@@ -296,9 +296,10 @@ static int cut(const flk_node *node, int i, double value, int rises, double *par
     return 1;
 }
 
-/* The node at the end of a step, or where it first leaves the cell, and why.  A speed with a peak may leave
-** the cell and return.  One that begins at an end of the piece of the motor's curve leaves it only when it is clear of that:
-** with its peak there it would be cut again and again, and time would stand still. */
+/* The node at the end of a step, or where it first leaves the cell, and why.  A speed with a peak may
+** leave the cell and return.  One that begins at an end of the piece of the motor's curve leaves it only
+** when it is clear of that: with its peak there it would be cut again and again, and time would stand
+** still. */
 static ending end_step(const flk_path *p, const flk_node *node, const cell *c, flk_node *after)
 {
     double sense = p->equation.sense, part = flk_node_peak(node, 0, 1);
@@ -329,7 +330,7 @@ static ending end_step(const flk_path *p, const flk_node *node, const cell *c, f
     return why;
 }
 
-/* ------------------------------------------------------------------------------------------- cell by cell */
+/* ----------------------------------------------------------------------------------------- cell by cell */
 
 static int keep_node(flk_path *p, const flk_node *node)
 {

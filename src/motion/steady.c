@@ -8,10 +8,10 @@
 **    g(E0) - E0 = 0                                for any motor, for v
 **    g(E0) - E0 = 0,   mean_speed t - cycle = 0    for a motor that balances, for v and T
 **
-** The first is solved between speeds at which the machine gains and loses energy in a cycle.  It starts from
-** the lowest speed above which the mean torque of a cycle at constant speed is negative: a run-up ends there,
-** because below it the machine gains speed.  The motion is stable if g' < 1; the speed is known if g' is not 1 but for
-** rounding error.
+** The first is solved between speeds at which the machine gains and loses energy in a cycle.  It starts
+** from the lowest speed above which the mean torque of a cycle at constant speed is negative: a run-up ends
+** there, because below it the machine gains speed.  The motion is stable if g' < 1; the speed is known if
+** g' is not 1 but for rounding error.
 **
 ** For the second, two solutions E(theta) of dE/dtheta = T + Q with different T cross in one sense only, and
 ** with the same T not at all.  So the energy after a cycle grows with T, there is at most one T for each v,
@@ -46,10 +46,11 @@
 #define COARSE 1e-6      /* tolerance of the steps of first solutions, and their error */
 #define CLOSE 1e-12      /* of the energy, the cycle: solved */
 #define ROUNDED 1e-9     /* ... without getting closer: friction corners, last digits */
-/* The least part of a difference that a cycle takes away: the speed is known to ROUNDED / HOLDS, mostly to a tenth of that. */
+/* The least part of a difference that a cycle takes away: the speed is known to ROUNDED / HOLDS, mostly
+** to a tenth of that. */
 #define HOLDS 1e-6
 
-/* -------------------------------------------------------------------------------------------------- facts */
+/* ------------------------------------------------------------------------------------------------ facts */
 
 void flk_facts_forget(flk_actual_facts *f)
 {
@@ -168,7 +169,7 @@ void flk_facts_of_run_up(const flk_path *p, flk_actual_facts *f)
         }
 }
 
-/* --------------------------------------------------------------------------------------------- the search */
+/* ------------------------------------------------------------------------------------------- the search */
 
 typedef struct problem {
     flk_path *p;
@@ -330,8 +331,9 @@ static int solve(problem *q, double tolerance, double close, double rounded)
                : flk_find_rising(excess, q, &q->speed, q->close, q->rounded);
 }
 
-/* 1 if a cycle takes differences of the speed away.  Where it takes less than rounding error makes, nothing holds the speed:
-** without losses a motor of constant power is as good as none at a speed of thousands of rad/s. */
+/* 1 if a cycle takes differences of the speed away.  Where it takes less than rounding error makes,
+** nothing holds the speed: without losses a motor of constant power is as good as none at a speed of
+** thousands of rad/s. */
 static int holds(const problem *q)
 {
     double growth = growth_of(q->p); /* NaN: not known */

@@ -51,8 +51,9 @@ double arrow_longest(const arrow_list *arrows, double largest_of_motion);
 int arrow_draw(const arrow_list *arrows, sketch *s, const picture *p, double scale, double largest);
 void arrow_note_missing(sketch *s, const picture *p, double largest);
 
-/* Draw the torques of these loads, but those of friction in pins; draw any other torque, at a place that moves with a
-** link.  Without a name, as those of springs on a link that is not free, it goes around the coil that has name and value. */
+/* Draw the torques of these loads, but those of friction in pins; draw any other torque, at a place that
+** moves with a link.  Without a name, as those of springs on a link that is not free, it goes around the
+** coil that has name and value. */
 void arrow_draw_load_torques(sketch *s, const picture *p, const picture_row *r, int link,
                              int is_free);
 void arrow_draw_torque(sketch *s, const picture *p, int number, int body, pen kind,

@@ -2,8 +2,8 @@
 **
 ** exercise.c - the figure of an exercise: what is given, and symbols for what is asked.
 **
-** Nothing that is computed is told: the links stand as they do at the first crank angle that is asked for, without the
-** values of the axes.
+** Nothing that is computed is told: the links stand as they do at the first crank angle that is asked for,
+** without the values of the axes.
 */
 #include <math.h>
 #include <string.h>
@@ -65,7 +65,8 @@ static void put_given(sketch *s, const picture *p, const fourlink_instant *now)
     sketch_note(s, FIGURE_THETA SUB_2 " = %s", picture_mark(p, now->row.angle, 7, mark));
 }
 
-/* Put the names of what is asked beside the drawing, each once; has_angle: the links whose angles are among them. */
+/* Put the names of what is asked beside the drawing, each once; has_angle: the links whose angles are
+** among them. */
 static void put_asked(sketch *s, const picture *p, int has_angle[5])
 {
     char names[600] = " ", name[80];

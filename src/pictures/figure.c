@@ -610,7 +610,8 @@ void figure_arc(sketch *s, const picture *p, const fourlink_state *state, int li
     put_arc(s, p, &x);
 }
 
-/* Put the angle of a link beside the drawing, in the deck's unit, and draw it; in a motion that of the crank alone. */
+/* Put the angle of a link beside the drawing, in the deck's unit, and draw it; in a motion that of the
+** crank alone. */
 static void put_angle(sketch *s, const picture *p, const fourlink_state *state, int link)
 {
     link_angle x = angle_of(p, state, link);

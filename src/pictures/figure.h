@@ -85,8 +85,8 @@ void figure_gravity(sketch *s, const picture *p);
 /* Draw the outline of a link with tracer points, or with pins of outputs: hull.c. */
 void hull_draw(sketch *s, const picture *p, const fourlink_state *state, int link);
 
-/* Draw the springs and actuators of a deck at one position: spring.c.  `has_values`: with their forces beside the
-** drawing. */
+/* Draw the springs and actuators of a deck at one position: spring.c.  `has_values`: with their forces
+** beside the drawing. */
 void spring_draw(sketch *s, const picture *p, const fourlink_state *state, int has_values);
 
 /* Draw the paths of C and of the tracer points over the motion. */

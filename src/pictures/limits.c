@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** limits.c - what a mechanism can do: its limits with the swing of link 4 or the stroke of the piston, or its
-** dead positions; at one position the transmission angle and the instantaneous centres; and the limits of outputs.
+** limits.c - what a mechanism can do: its limits with the swing of link 4 or the stroke of the piston, or
+** its dead positions; at one position the transmission angle and the instantaneous centres; and the limits
+** of outputs.
 **
 ** By the theorem of Kennedy the centres of any three links are on one line: I13 is on the lines I12 I23 and
 ** I14 I34, I24 on I12 I14 and I23 I34.  From the velocities, k = omega / omega2 and k_B = v_B / omega2:

@@ -203,7 +203,8 @@ double size_aspect(const picture *p);
 /* Find the links that are small beside the whole: the crank, and a rocker. */
 void size_find_insets(picture *p);
 
-/* The height of a panel of this width, when the insets are known, in which the mechanism fills the axes on all branches. */
+/* The height of a panel of this width, when the insets are known, in which the mechanism fills the axes
+** on all branches. */
 double size_height(const picture *p, double width);
 
 /* 1 if the deck has counterweights at a radius; open it again with them or without, by an assignment; free

@@ -56,8 +56,9 @@ plot_file plot_file_of(const char *name)
     return (plot_file)i;
 }
 
-/* A figure of a page, in pixels: as wide as paper at 7 pt allows, no higher than half of it; the height of its
-** panels over the crank angle, as a part of the usual one, and of those with scales in place of axes. */
+/* A figure of a page, in pixels: as wide as paper at 7 pt allows, no higher than half of it; the height
+** of its panels over the crank angle, as a part of the usual one, and of those with scales in place of
+** axes. */
 #define FIGURE_WIDTH 1000.0
 #define FIGURE_HIGHEST 570.0
 #define FIGURE_LOW 0.82
@@ -77,8 +78,8 @@ static int count_columns(picture *p)
     return (int)n;
 }
 
-/* The rows of polar diagrams: of each pin force in the axes of its links, and where there is a balance one more
-** for each branch. */
+/* The rows of polar diagrams: of each pin force in the axes of its links, and where there is a balance
+** one more for each branch. */
 static int count_polar_rows(const picture *p)
 {
     int of_forces = p->v.kind.slotted ? 4 : p->v.kind.guided ? 5 : 6;

@@ -41,8 +41,8 @@ void plot_free(plot *x);
 ** Returns 0 if out of memory. */
 int plot_write(const plot *x, int is_text, int is_ascii, FILE *out);
 
-/* Write the figure of an exercise, which has nothing that is computed, of an opened deck, as an SVG for a page.  Returns as
-** plot_make. */
+/* Write the figure of an exercise, which has nothing that is computed, of an opened deck, as an SVG for
+** a page.  Returns as plot_make. */
 int plot_write_exercise(const fourlink_source *source, fourlink_results *opened, FILE *out,
                         fourlink_mistake *mistake);
 

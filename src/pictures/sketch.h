@@ -107,10 +107,11 @@ void sketch_hold(sketch *s, fourlink_vector at);
 void sketch_show(sketch *s, sketch_subject what, unsigned long number);
 void sketch_skip(sketch *s, unsigned long parts);
 
-/* What the drawings of a motion say of what follows, until the next subject: the link or the ground with which it moves.
-** Before that, a link is told: its origin, which moves with what is said then, and its axis.  Or it is upright at a place
-** that moves with what is said before, or goes along the way from such a place to another link's; stretched, it becomes
-** longer with the way.  In other drawings they do nothing. */
+/* What the drawings of a motion say of what follows, until the next subject: the link or the ground with
+** which it moves.  Before that, a link is told: its origin, which moves with what is said then, and its
+** axis.  Or it is upright at a place that moves with what is said before, or goes along the way from
+** such a place to another link's; stretched, it becomes longer with the way.  In other drawings they do
+** nothing. */
 void sketch_with(sketch *s, int link);
 void sketch_body(sketch *s, int link, fourlink_vector origin, fourlink_vector axis);
 void sketch_upright(sketch *s, fourlink_vector at);
@@ -128,7 +129,8 @@ void sketch_include(sketch *s, fourlink_vector p);
 void sketch_line(sketch *s, pen p, fourlink_vector from, fourlink_vector to);
 void sketch_arrow(sketch *s, pen p, fourlink_vector from, fourlink_vector to);
 
-/* Draw a vector at a place, with so many units of length for one of its own, and its name at the end, or "". */
+/* Draw a vector at a place, with so many units of length for one of its own, and its name at the end, or
+** "". */
 void sketch_vector(sketch *s, pen p, fourlink_vector at, fourlink_vector v, double scale,
                    const char *name);
 

@@ -20,7 +20,8 @@ typedef struct spread_group {
     double x, y[SPREAD_SIZES];
 } spread_group;
 
-/* Sort the designs by x into groups: of the same x where there are few, else of as many designs each.  Returns how many. */
+/* Sort the designs by x into groups: of the same x where there are few, else of as many designs each.
+** Returns how many. */
 size_t spread_find(spread_point *designs, size_t n, spread_group groups[SPREAD_MOST]);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** spring.c - what joins two points: springs as a zigzag, dampers as a cylinder with its piston, actuators as a cylinder with
-** its rod; torsional springs as a spiral.
+** spring.c - what joins two points: springs as a zigzag, dampers as a cylinder with its piston, actuators
+** as a cylinder with its rod; torsional springs as a spiral.
 */
 #include <math.h>
 

@@ -378,7 +378,8 @@ static double length_of(const picture *p, const picture_row *r, const free_body 
     return length > 0 ? length : p->v.design->link[FOURLINK_CRANK].length;
 }
 
-/* The pins of a link; of an output P and Q of the rod, D and Q of a rocker, Q and, with a slot, P of a slider. */
+/* The pins of a link; of an output P and Q of the rod, D and Q of a rocker, Q and, with a slot, P of a
+** slider. */
 static void find_pins(free_body *b, const picture *p, const picture_row *r)
 {
     int i = (b->link - FOURLINK_FOLLOWER - 1) / 2;

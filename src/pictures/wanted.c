@@ -37,8 +37,8 @@ static fourlink_vector put_coupler(sketch *s, const fourlink_solution *x,
     return P;
 }
 
-/* By how much errors are drawn enlarged: 1, 2 or 5 times a power of ten, so that the largest is a tenth of the
-** size of the positions at most. */
+/* By how much errors are drawn enlarged: 1, 2 or 5 times a power of ten, so that the largest is a tenth
+** of the size of the positions at most. */
 static double enlargement(const fourlink_solution *x)
 {
     double size = 0, factor = 1, steps[] = {2, 2.5, 2};

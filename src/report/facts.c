@@ -118,7 +118,8 @@ static void put_facts(report *r, const char *heading, int group)
     page_table_end(p);
 }
 
-/* The settled smallest or largest value of a column, by its handle; undefined without an extreme.  1 if it has one. */
+/* The settled smallest or largest value of a column, by its handle; undefined without an extreme.  1 if
+** it has one. */
 static int find_extreme(const report *r, const view_extremes *extremes, int handle,
                         fourlink_value *x)
 {

@@ -7,8 +7,8 @@
 #include "pictures/plot.h"
 #include "report.h"
 
-/* Put a part of a picture as a figure, if the deck has such a picture.  `alt` says what it shows to those who do not see
-** it. */
+/* Put a part of a picture as a figure, if the deck has such a picture.  `alt` says what it shows to
+** those who do not see it. */
 static void put_part(report *r, plot_kind kind, plot_part part, const char *at, const char *alt,
                      const char *caption)
 {

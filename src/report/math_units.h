@@ -2,8 +2,8 @@
 **
 ** math_units.h - the units of equations.
 **
-** They go together, so that no factor stands in an equation: the deck's length and force, seconds and radians.  Where
-** the tables have another unit, a result is written in that one, too: 800 mm/s = 0.8 m/s.
+** They go together, so that no factor stands in an equation: the deck's length and force, seconds and
+** radians.  Where the tables have another unit, a result is written in that one, too: 800 mm/s = 0.8 m/s.
 */
 #ifndef FOURLINK_MATH_UNITS_H
 #define FOURLINK_MATH_UNITS_H

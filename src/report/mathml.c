@@ -19,7 +19,8 @@
 #define RIGHT "<mo stretchy=\"false\">)</mo>"
 #define MINUS "\342\210\222"
 #define DEGREE "\302\260"
-/* Without width: they keep a numerator and a denominator clear of their rule, and of the lines above and below. */
+/* Without width: they keep a numerator and a denominator clear of their rule, and of the lines above and
+** below. */
 #define ABOVE_RULE "<mspace height=\"0.95em\" depth=\"0.32em\"/>"
 #define BELOW_RULE "<mspace height=\"0.88em\" depth=\"0.32em\"/>"
 #define LONG_EQUATION 90 /* bytes: the result has a line of its own, fractions have none */

@@ -22,7 +22,8 @@
 #define MATH_NAME 16  /* bytes of a symbol's name */
 #define MATH_DIGITS 6 /* significant digits of a number; angles have 4 decimals of a degree */
 
-/* The unit of a symbol follows from its name.  Values are given in SI units and written in those of `units`. */
+/* The unit of a symbol follows from its name.  Values are given in SI units and written in those of
+** `units`. */
 typedef struct math {
     page *p;
     math_units units;

@@ -10,16 +10,17 @@
 **           [p, q, 1]       so, with the way between them as the unit of x
 **    places [frame, x, y]   where they are in a frame, from 1 on, or on the sheet, 0
 **
-** in pixels, to the right and down, and radians: a number, or a text with that of each step, see series.h.  A place
-** is in a frame before or on the sheet.
+** in pixels, to the right and down, and radians: a number, or a text with that of each step, see series.h.
+** A place is in a frame before or on the sheet.
 **
-** Items name their places: "as" line, arrow, arc, disc, centre, text, label or path, its class "look", its places "at",
-** and its "name"; with "size" a radius or the length of a head, with "radius" those of an arc.  Of an arc the second place
-** is where it begins in the frame of its centre, and how far it goes, in hundredths of a radian, of a text the way from
-** the place to its middle.  A label stands beside its first place, "size" from it and more, at first away from its second.
-** A path "d" moves with the frame "in", if not with the sheet.  A text is a list of words, [words, -1] a subscript and
-** [words, 1] a superscript.  "gone": steps [from, to, ...] at which the item is not there.  "values" of an item are
-** decimals, a series in units of the last one, and words that follow, one behind the other; -n, "" and words are those of n
+** Items name their places: "as" line, arrow, arc, disc, centre, text, label or path, its class "look", its
+** places "at", and its "name"; with "size" a radius or the length of a head, with "radius" those of an
+** arc.  Of an arc the second place is where it begins in the frame of its centre, and how far it goes, in
+** hundredths of a radian, of a text the way from the place to its middle.  A label stands beside its first
+** place, "size" from it and more, at first away from its second.  A path "d" moves with the frame "in", if
+** not with the sheet.  A text is a list of words, [words, -1] a subscript and [words, 1] a superscript.
+** "gone": steps [from, to, ...] at which the item is not there.  "values" of an item are decimals, a series
+** in units of the last one, and words that follow, one behind the other; -n, "" and words are those of n
 ** steps.
 */
 #include <math.h>
@@ -67,7 +68,8 @@ typedef struct places {
     double *numbers; /* room for those of a series */
 } places;
 
-/* Find where a number is in a frame; returns 0 if it is somewhere when the frame is not, or moves along a way. */
+/* Find where a number is in a frame; returns 0 if it is somewhere when the frame is not, or moves along
+** a way. */
 static int see(const places *f, size_t number, size_t frame)
 {
     const motion *m = f->m;
@@ -284,8 +286,8 @@ static void put_words(line *l, const char *words)
     line_put(l, "]");
 }
 
-/* What an item shows at a step: a number with so many decimals, 0 if it is none, and what stands behind it, its exponent and
-** unit. */
+/* What an item shows at a step: a number with so many decimals, 0 if it is none, and what stands behind
+** it, its exponent and unit. */
 typedef struct shown {
     int is_there, is_number, decimals;
     double x;
@@ -315,8 +317,8 @@ static void take_value(const motion *m, size_t item, size_t step, shown *v)
 
 #define LARGEST 2e5 /* in units of the last decimal: 5 digits, and some more */
 
-/* Take values of steps behind each other that one number of decimals and one end serve; returns their number, and what
-** they have in common in `all`. */
+/* Take values of steps behind each other that one number of decimals and one end serve; returns their
+** number, and what they have in common in `all`. */
 static size_t take_values(const places *f, size_t item, size_t from, shown *all)
 {
     double most = 0, size;
@@ -439,8 +441,8 @@ static void put_curve(line *l, const motion *m, const motion_item *x)
     }
 }
 
-/* Write a curve, or lines that stay in one frame as one path, as far as they follow each other with one look; returns the
-** last of them. */
+/* Write a curve, or lines that stay in one frame as one path, as far as they follow each other with one
+** look; returns the last of them. */
 static size_t put_path(line *l, places *f, size_t item)
 {
     const motion_item *x = &f->m->items[item], *y = x;

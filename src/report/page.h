@@ -32,8 +32,8 @@ void page_table(page *p, const char *caption, const char *columns);
 void page_table_of(page *p, const char *name_of_class, const char *caption, const char *columns);
 void page_table_end(page *p);
 
-/* Write a number as a cell of a column whose numbers have their points below each other: `most` is the largest
-** number of letters from the point on, of all its numbers. */
+/* Write a number as a cell of a column whose numbers have their points below each other: `most` is the
+** largest number of letters from the point on, of all its numbers. */
 int page_behind(double value, int digits);
 void page_number_cell(page *p, double value, int digits, int most);
 

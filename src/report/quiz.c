@@ -2,12 +2,13 @@
 **
 ** quiz.c - the exercise of a deck as a quiz in Moodle XML: a question of the type cloze for each design.
 **
-** The text of such a question is HTML with fields, as docs.moodle.org has them ("Embedded Answers (Cloze) question type"):
+** The text of such a question is HTML with fields, as docs.moodle.org has them ("Embedded Answers (Cloze)
+** question type"):
 **
 **    {2:NUMERICAL:=103.8:0.5~%50%-103.8:0.5#the sign is the opposite}
 **
-** of two marks, with the right value and its tolerance, and one with half of the marks and what is told then.  Braces of
-** other texts are written as &#123; so that none of them begins a field.
+** of two marks, with the right value and its tolerance, and one with half of the marks and what is told
+** then.  Braces of other texts are written as &#123; so that none of them begins a field.
 */
 #include <math.h>
 #include <string.h>
@@ -54,7 +55,8 @@ static void put_words(page *p, const char *words)
     }
 }
 
-/* Copy HTML from a file into an element of XML, byte by byte: pieces for xml_put would cut characters.  0 if the file failed. */
+/* Copy HTML from a file into an element of XML, byte by byte: pieces for xml_put would cut characters.
+** 0 if the file failed. */
 static int put_file(FILE *out, FILE *html)
 {
     int c;

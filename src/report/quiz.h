@@ -13,8 +13,8 @@
 void quiz_begin(FILE *out, const char *title);
 void quiz_end(FILE *out);
 
-/* Write a question: the words of the exercise, what is given, the figure without answers, a field for each value of
-** [expect] with its tolerance and marks, and the sample calculation as feedback.
+/* Write a question: the words of the exercise, what is given, the figure without answers, a field for each
+** value of [expect] with its tolerance and marks, and the sample calculation as feedback.
 **
 ** Given:
 **    title       of the deck, or what stands for it

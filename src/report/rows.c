@@ -96,7 +96,7 @@ static double time_step_of(const fourlink_problem *p)
                       : p->over.step / (double)parts_of(p->n_rows - 1, MOST_ROWS);
 }
 
-/* -------------------------------------------------------------------------------------------- all of them */
+/* ------------------------------------------------------------------------------------------ all of them */
 
 static int draws_all(const rows *t)
 {

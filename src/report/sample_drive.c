@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** sample_drive.c - in the sample calculation, the power of what drives a machine that no torque on the crank drives:
-** that of its loads, which is also that of the torque on the crank in its place.
+** sample_drive.c - in the sample calculation, the power of what drives a machine that no torque on the
+** crank drives: that of its loads, which is also that of the torque on the crank in its place.
 */
 #include <math.h>
 #include <stdio.h>

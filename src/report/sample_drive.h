@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** sample_drive.h - in the sample calculation, the power of what drives a machine that no torque on the crank drives.
+** sample_drive.h - in the sample calculation, the power of what drives a machine that no torque on the
+** crank drives.
 */
 #ifndef FOURLINK_REPORT_SAMPLE_DRIVE_H
 #define FOURLINK_REPORT_SAMPLE_DRIVE_H

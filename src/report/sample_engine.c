@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** sample_engine.c - the engine method of the sample calculation: the forces along the line of stroke, the effort at the
-** crank, and the torque of an engine whose rod is two masses.
+** sample_engine.c - the engine method of the sample calculation: the forces along the line of stroke, the
+** effort at the crank, and the torque of an engine whose rod is two masses.
 */
 #include <math.h>
 
@@ -17,7 +17,8 @@ static int on_open(const report *r)
     return r->now.branch == FOURLINK_OPEN;
 }
 
-/* An equation on the open branch; on the crossed one, where the piston is on the other side of the crankshaft. */
+/* An equation on the open branch; on the crossed one, where the piston is on the other side of the
+** crankshaft. */
 static const char *on_side(const report *r, const char *open, const char *crossed)
 {
     return on_open(r) ? open : crossed;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** sample_engine.h - the engine method of the sample calculation: the forces along the line of stroke, the effort at the
-** crank, and the torque of an engine whose rod is two masses.
+** sample_engine.h - the engine method of the sample calculation: the forces along the line of stroke, the
+** effort at the crank, and the torque of an engine whose rod is two masses.
 */
 #ifndef FOURLINK_REPORT_SAMPLE_ENGINE_H
 #define FOURLINK_REPORT_SAMPLE_ENGINE_H

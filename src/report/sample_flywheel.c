@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** sample_flywheel.c - the flywheel in the sample calculation: the areas between the turning moment and its mean, the
-** fluctuation of energy, and what moment of inertia it needs.
+** sample_flywheel.c - the flywheel in the sample calculation: the areas between the turning moment and its
+** mean, the fluctuation of energy, and what moment of inertia it needs.
 */
 #include <math.h>
 #include <stdio.h>
@@ -103,7 +103,8 @@ static void put_inertia(report *r, math *m, const fourlink_turning *t, double om
     math_let(m, "If", equation, t->inertia);
 }
 
-/* The speed at which the turning moment is found: that of the crank, or the mean of a steady motion; 0 if there is none. */
+/* The speed at which the turning moment is found: that of the crank, or the mean of a steady motion; 0
+** if there is none. */
 static double speed_of(const fourlink_turning *t)
 {
     return t->mean_torque != 0 ? t->mean_power / t->mean_torque : 0;

@@ -149,8 +149,8 @@ static void put_entry(math *m, double value)
     page_print(m->p, "</mtd>");
 }
 
-/* A coefficient: in the equations of moments a force has an arm, and the torque of a drive on an output is a force by way of
-** one. */
+/* A coefficient: in the equations of moments a force has an arm, and the torque of a drive on an output
+** is a force by way of one. */
 static double shown_coefficient(const math *m, double value, int is_moment, int of_torque)
 {
     if (of_torque && !is_moment)
@@ -176,8 +176,8 @@ static const char *name_unknown(const report *r, int i)
                                                   : "Fdrive";
 }
 
-/* A x = b as one table, so that rows stand side by side; the style puts the brackets.  In the equations of moments a
-** force has an arm. */
+/* A x = b as one table, so that rows stand side by side; the style puts the brackets.  In the equations
+** of moments a force has an arm. */
 static void put_matrix(report *r, math *m, double A[9][9], const double b[9])
 {
     page *p = m->p;

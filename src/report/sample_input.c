@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** sample_input.c - in the sample calculation, how another coordinate that is prescribed gives the crank's motion.
+** sample_input.c - in the sample calculation, how another coordinate that is prescribed gives the crank's
+** motion.
 **
 ** The loop equation of each kind is solved for the crank angle, and with K = dq/dtheta2 and L = d2q/dtheta2^2
 **
@@ -112,7 +113,7 @@ static void put_rocker_of_four_bar(report *r, math *m, const fourlink_state *at_
              at_one->link[4].alpha);
 }
 
-/* ------------------------------------------------------------------------------ slider-crank, Scotch yoke */
+/* ---------------------------------------------------------------------------- slider-crank, Scotch yoke */
 
 /* Where x is prescribed, from the inner dead centre. */
 static void put_pin_of_displacement(report *r, math *m, int is_displacement)

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** sample_klein.c - Klein's construction in the sample calculation: its lengths by the sides of its triangles, velocity
-** and acceleration from them.
+** sample_klein.c - Klein's construction in the sample calculation: its lengths by the sides of its
+** triangles, velocity and acceleration from them.
 */
 #include "mathml.h"
 #include "report.h"
 #include "sample_klein.h"
 
-/* See mechanics/klein.c.  On the crossed branch the piston is on the other side, so that the signs of OM and ON, which
-** are those of v and a in the tables, are the others. */
+/* See mechanics/klein.c.  On the crossed branch the piston is on the other side, so that the signs of OM
+** and ON, which are those of v and a in the tables, are the others. */
 static void put_lengths(report *r, math *m, const fourlink_klein *klein)
 {
     int is_open = r->now.branch == FOURLINK_OPEN;

@@ -8,8 +8,8 @@
 #include "mathml.h"
 #include "report.h"
 
-/* The lengths of Klein's construction, and what follows from them, with the symbols of the motion; of other kinds than
-** a slider-crank, nothing. */
+/* The lengths of Klein's construction, and what follows from them, with the symbols of the motion; of
+** other kinds than a slider-crank, nothing. */
 void sample_put_klein(report *r, math *m);
 
 #endif

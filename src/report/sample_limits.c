@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** sample_limits.c - the limits of a mechanism in the sample calculation: swing or stroke, time ratio, transmission angle.
+** sample_limits.c - the limits of a mechanism in the sample calculation: swing or stroke, time ratio,
+** transmission angle.
 */
 #include <math.h>
 

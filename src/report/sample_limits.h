@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** sample_limits.h - the limits of a mechanism in the sample calculation: swing or stroke, time ratio, transmission angle.
+** sample_limits.h - the limits of a mechanism in the sample calculation: swing or stroke, time ratio,
+** transmission angle.
 */
 #ifndef FOURLINK_REPORT_SAMPLE_LIMITS_H
 #define FOURLINK_REPORT_SAMPLE_LIMITS_H

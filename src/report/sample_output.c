@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** sample_output.c - the outputs of a deck in the sample calculation: what is given, the motion of P, and the order of what
-** is written.
+** sample_output.c - the outputs of a deck in the sample calculation: what is given, the motion of P, and
+** the order of what is written.
 */
 #include <math.h>
 #include <string.h>
@@ -11,7 +11,7 @@
 #include "sample_output.h"
 #include "sample_output_type.h"
 
-/* ------------------------------------------------------------------------- the motion of a point of a link */
+/* ---------------------------------------------------------------------- the motion of a point of a link */
 
 static double dot(fourlink_vector u, fourlink_vector v)
 {

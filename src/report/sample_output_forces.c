@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** sample_output_forces.c - the forces in outputs in the sample calculation, as in mechanics/group_rod.c and group_slot.c, and
-** what they do to the links that carry them.
+** sample_output_forces.c - the forces in outputs in the sample calculation, as in mechanics/group_rod.c and
+** group_slot.c, and what they do to the links that carry them.
 */
 #include <math.h>
 #include <string.h>
@@ -66,7 +66,7 @@ void sample_put_output_centres(report *r, math *m, const fourlink_body bodies[FO
     }
 }
 
-/* ------------------------------------------------------------------------------- what outputs do to links */
+/* ----------------------------------------------------------------------------- what outputs do to links */
 
 static sample_pins pins_of(const fourlink_group *g, const fourlink_link_state *rod,
                            const double x[6])

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** sample_output_forces.h - the forces in outputs in the sample calculation, and what outputs do to the links that carry them.
+** sample_output_forces.h - the forces in outputs in the sample calculation, and what outputs do to the
+** links that carry them.
 */
 #ifndef FOURLINK_REPORT_SAMPLE_OUTPUT_FORCES_H
 #define FOURLINK_REPORT_SAMPLE_OUTPUT_FORCES_H

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** sample_output_type.c - the loops of outputs of each type and their derivatives in the sample calculation, as in
-** mechanics/group_rod.c and group_slot.c.
+** sample_output_type.c - the loops of outputs of each type and their derivatives in the sample calculation,
+** as in mechanics/group_rod.c and group_slot.c.
 */
 #include <math.h>
 

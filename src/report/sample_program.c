@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** sample_program.c - the program of a motion in the sample calculation: by the law of the part in which the time is, with its
-** shape sigma and the derivatives of that by tau.
+** sample_program.c - the program of a motion in the sample calculation: by the law of the part in which the
+** time is, with its shape sigma and the derivatives of that by tau.
 */
 #include <math.h>
 #include <string.h>
@@ -52,7 +52,8 @@ static const shape shapes[] = {
 
 #define SHAPES (sizeof shapes / sizeof shapes[0])
 
-/* The symbols of what a program moves: itself, its speed, its acceleration, at its beginning; and its rise. */
+/* The symbols of what a program moves: itself, its speed, its acceleration, at its beginning; and its
+** rise. */
 typedef struct symbols {
     const char *q, *rate, *second, *begin, *rise, *begin_of_speed, *rise_of_speed;
 } symbols;
@@ -144,7 +145,8 @@ static void put_given(report *r, math *m, const fourlink_program_part *part, con
              (r->now.row.time - part->begin) / (part->end - part->begin));
 }
 
-/* Evaluate a shape with the numbers of a part: its derivatives by tau are those of the motion, if it rises. */
+/* Evaluate a shape with the numbers of a part: its derivatives by tau are those of the motion, if it
+** rises. */
 static void put_shape(math *m, const fourlink_program_part *part, const shape *s, double tau,
                       const double now[3])
 {

@@ -8,8 +8,8 @@
 #include "mathml.h"
 #include "report.h"
 
-/* The coordinate, its speed and acceleration by the law of the program at the time of the sample; of a deck without a
-** program, nothing. */
+/* The coordinate, its speed and acceleration by the law of the program at the time of the sample; of a
+** deck without a program, nothing. */
 void sample_put_program(report *r, math *m);
 
 #endif

@@ -2,10 +2,10 @@
 **
 ** sample_template.h - equations of an output in the sample calculation, as templates.
 **
-** They have the names of the first output of a deck.  Of each output 5 stands for its rod or
-** block and 6 for its slider or rocker, k for the link that carries it; where there are several, P, Q and the point 0 of a
-** line have its number.  E is P, or PD, from the pin D on a moving link to P; armx and army are the arm of P from the
-** origin of link k.  About this pin, P stands for it and k for the link with it.
+** They have the names of the first output of a deck.  Of each output 5 stands for its rod or block and 6
+** for its slider or rocker, k for the link that carries it; where there are several, P, Q and the point 0
+** of a line have its number.  E is P, or PD, from the pin D on a moving link to P; armx and army are the
+** arm of P from the origin of link k.  About this pin, P stands for it and k for the link with it.
 */
 #ifndef FOURLINK_REPORT_SAMPLE_TEMPLATE_H
 #define FOURLINK_REPORT_SAMPLE_TEMPLATE_H

@@ -12,8 +12,8 @@
 /* Write a number, rounded to so many parts of its unit. */
 void series_put_rounded(line *l, double x, double parts);
 
-/* Write numbers as a text, in so many parts of their unit: the first, and how each differs from where the two before lead to.
-** One that is not there stands still. */
+/* Write numbers as a text, in so many parts of their unit: the first, and how each differs from where
+** the two before lead to.  One that is not there stands still. */
 void series_put(line *l, const double *x, size_t n, double parts);
 
 /* The same, or the first one to its sixth decimal if they are all the same but for so much. */

@@ -18,7 +18,7 @@
 #include "deck/synthesis.h"
 #include "analysis.h"
 
-/* ------------------------------------------------------------------------------------------------ derived */
+/* ---------------------------------------------------------------------------------------------- derived */
 
 #define ROUNDING 1e-13 /* of the parts of the shaking force: less is rounding error */
 
@@ -317,7 +317,7 @@ int flk_derive_superposition(const fourlink_mechanism *mechanism, const fourlink
     return FOURLINK_OK;
 }
 
-/* -------------------------------------------------------------------------------------------------- a row */
+/* ------------------------------------------------------------------------------------------------ a row */
 
 /* There is no time for a crank at rest, or for one held at a speed and an acceleration. */
 static int has_time(const deck *d)

@@ -10,7 +10,7 @@
 #include "motion/course.h"
 #include "deck/deck.h"
 
-/* ------------------------------------------------------------------------------------------------ derived */
+/* ---------------------------------------------------------------------------------------------- derived */
 
 /* A force in a link's own axes: along its line, and normal to it, to the left. */
 typedef struct flk_axial {
@@ -70,7 +70,7 @@ int flk_derive_superposition(const fourlink_mechanism *mechanism, const fourlink
                              const fourlink_friction *friction, const fourlink_forces *forces,
                              flk_derived *e);
 
-/* -------------------------------------------------------------------------------------------------- a row */
+/* ------------------------------------------------------------------------------------------------ a row */
 
 /* What is computed in addition to the motion of the links. */
 enum {

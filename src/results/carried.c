@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** carried.c - a value as it follows from the values above it as they were written: rounding, or a mistake, carried on.
+** carried.c - a value as it follows from the values above it as they were written: rounding, or a mistake,
+** carried on.
 */
 #include <string.h>
 

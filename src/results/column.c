@@ -272,7 +272,7 @@ size_t flk_column_copy(const flk_analysis *a, const flk_analysis *of, const flk_
     return n;
 }
 
-/* -------------------------------------------------------------------------- what a column is, and has in a row */
+/* ------------------------------------------------------------------- what a column is, and has in a row */
 
 quantity flk_column_quantity(const flk_column *c)
 {

@@ -100,7 +100,8 @@ int flk_column_need(const flk_column *c);
 /* 1 if it depends on where the links are alone, and is printed without their velocities. */
 int flk_column_is_of_places(const flk_column *c);
 
-/* What the rounding error of a column in a row is a small part of, in its unit; NaN: that follows from the machine. */
+/* What the rounding error of a column in a row is a small part of, in its unit; NaN: that follows from
+** the machine. */
 double flk_column_size(const flk_column *c, const flk_row *row);
 
 /* A column is infinite beyond this magnitude, in its unit: a centre or an advantage that does not exist at a

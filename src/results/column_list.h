@@ -9,7 +9,7 @@
 
 #include "analysis.h"
 
-/* ------------------------------------------------------------------------------- what is said of a column */
+/* ----------------------------------------------------------------------------- what is said of a column */
 
 /* How a column's value is computed from the numbers of a row. */
 typedef enum column_form {
@@ -55,7 +55,7 @@ struct flk_column_info {
 flk_denominator flk_denominator_13, flk_denominator_24, flk_denominator_advantage,
     flk_denominator_klein;
 
-/* ----------------------------------------------------------------------------------------------- the list */
+/* --------------------------------------------------------------------------------------------- the list */
 
 #define FOUR_BAR FOURLINK_FOUR_BAR
 #define SLIDER_CRANK FOURLINK_SLIDER_CRANK

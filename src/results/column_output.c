@@ -54,9 +54,9 @@ static double acute_angle(const fourlink_vector *u, const fourlink_vector *v)
     return flk_angle(fabs(FLK_CROSS(*u, *v)), fabs(FLK_DOT(*u, *v)));
 }
 
-/* The transmission angle: of the rod and the rocker, or the rod and what is square to the line.  By a slot, of its
-** normal and the way of the block on slider or rocker: of the slot and the line, or of the arm of the block and the
-** slot's normal. */
+/* The transmission angle: of the rod and the rocker, or the rod and what is square to the line.  By a
+** slot, of its normal and the way of the block on slider or rocker: of the slot and the line, or of the
+** arm of the block and the slot's normal. */
 static double transmission_angle(const fourlink_group *g, const fourlink_link_state *rod)
 {
     const fourlink_link_state *end = rod + 1;

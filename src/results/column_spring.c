@@ -58,8 +58,8 @@ static double value_of_spring(const flk_column *c, const flk_row *row)
                                : at.power;
 }
 
-/* How far an end of a spring is from A and how fast it is, added to d and u; of a torsional one half a turn, and how fast the
-** link turns. */
+/* How far an end of a spring is from A and how fast it is, added to d and u; of a torsional one half a
+** turn, and how fast the link turns. */
 static void add_end(const fourlink_spring *spring, const fourlink_state *state, int link,
                     const fourlink_vector *at, double *d, double *u)
 {
@@ -73,8 +73,8 @@ static void add_end(const fourlink_spring *spring, const fourlink_state *state, 
                                     : fabs(state->link[link].omega);
 }
 
-/* The rounding error of a spring follows from that of d and u: those of the force are k d and c u, of the energy F d, and of
-** the power that of the force times u. */
+/* The rounding error of a spring follows from that of d and u: those of the force are k d and c u, of
+** the energy F d, and of the power that of the force times u. */
 static double size_of_spring(const flk_column *c, const flk_row *row)
 {
     const fourlink_spring *spring = c->of.spring;

@@ -132,7 +132,7 @@ static const char *why_no_opposite(const deck *d, size_t i, char words[MESSAGE_S
     return why_lacks(d, &opposites[i], words);
 }
 
-/* ------------------------------------------------------------------------------------------------- values */
+/* ----------------------------------------------------------------------------------------------- values */
 
 /* A zero vector has no direction. */
 static double direction_of(double x, double y)
@@ -240,7 +240,7 @@ double flk_denominator_klein(const fourlink_state *state)
     return state->link[2].axis.x;
 }
 
-/* -------------------------------------------------------------------------------------------------- names */
+/* ------------------------------------------------------------------------------------------------ names */
 
 /* What people call columns, and the names; the digits that follow are the same in both. */
 static const struct {

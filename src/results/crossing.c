@@ -123,8 +123,8 @@ static double off_at_angle(double angle, void *data)
     return off;
 }
 
-/* The crank angle of a crossing at a place of another input.  Near a dead centre of that the column changes much from one
-** value of the input to the next that there is, over which crank angles have many. */
+/* The crank angle of a crossing at a place of another input.  Near a dead centre of that the column
+** changes much from one value of the input to the next that there is, over which crank angles have many. */
 #define NEXT (16 * DBL_EPSILON) /* of the largest value */
 
 static double crank_angle(crossings *k, double place)
@@ -347,8 +347,8 @@ static void bound_pole(crossings *k, size_t i)
         insert_row(k, i + 2, b.high);
 }
 
-/* Poles between samples, by what they divide by: beside some the column is 0 before the next sample, and its samples have
-** one sign. */
+/* Poles between samples, by what they divide by: beside some the column is 0 before the next sample, and
+** its samples have one sign. */
 #define POLES 100     /* of a piece, at most */
 #define BESIDE_POLE 8 /* halvings of the distance to the samples beside it */
 
@@ -404,7 +404,8 @@ static int is_bent(const crossings *k, size_t i)
     return most > MUCH * least;
 }
 
-/* Insert a sample where a vector has its least size between samples i and i + 1, which show only that it turns. */
+/* Insert a sample where a vector has its least size between samples i and i + 1, which show only that it
+** turns. */
 static void insert_least_size(crossings *k, size_t i)
 {
     double s;
@@ -454,8 +455,8 @@ static void insert_samples(crossings *k)
     }
 }
 
-/* How large the column's quantity is in the row of a sample or, if there is none, in the middle of the piece: a
-** column that is 0 by symmetry is only rounding error of that. */
+/* How large the column's quantity is in the row of a sample or, if there is none, in the middle of the
+** piece: a column that is 0 by symmetry is only rounding error of that. */
 static double size_at(const crossings *k, double s)
 {
     flk_row row;

@@ -373,7 +373,8 @@ static const char *const common_units[] = {
     "in/s2",  "ft/s2", "N",    "kN",   "lbf",  "N.m",    "N.mm",   "kN.m",  "lbf.in",
     "lbf.ft", "W",     "kW",   "hp",   "J",    "kJ",     "kg",     "g",     "lb"};
 
-/* The unit in which a bare answer would agree, and its value in the unit of results in `printed`; null if there is none. */
+/* The unit in which a bare answer would agree, and its value in the unit of results in `printed`; null
+** if there is none. */
 static const char *find_other_unit(const fourlink_check *c, double number, quantity q, unit own,
                                    double turn, double *printed)
 {

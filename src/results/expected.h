@@ -7,7 +7,8 @@
 
 #include "opened.h"
 
-/* Compare a printed value with the computed one, and give what its name means: FOURLINK_OK, FOURLINK_NO_MEMORY. */
+/* Compare a printed value with the computed one, and give what its name means: FOURLINK_OK,
+** FOURLINK_NO_MEMORY. */
 int flk_expected_compare(flk_opened *o, const deck_expectation *e, flk_name *n,
                          fourlink_check *check);
 

@@ -103,7 +103,8 @@ static void offer_corner(const sought *k, int which, int end)
               flk_follow_place(&k->x->f, flk_follow_corner(&k->x->f, end)), CLOSE);
 }
 
-/* The column at an end where it is 0 / 0: as just inside or, where it is that there too, by rows beside it. */
+/* The column at an end where it is 0 / 0: as just inside or, where it is that there too, by rows beside
+** it. */
 #define BESIDE 1e-4 /* of the piece */
 
 static double value_at_end(const sought *k, int end)
@@ -238,8 +239,8 @@ static void sharpen(flk_function *f, sought *k, double low, double high, flk_sam
     take_top(f, k, &of, middle - step, middle + step, EQUAL * size_of(k, best->value), best);
 }
 
-/* Two peaks can be beside one sample, which is lower than both: if the column rises on the other side of the sample too,
-** search there. */
+/* Two peaks can be beside one sample, which is lower than both: if the column rises on the other side of
+** the sample too, search there. */
 #define ON_OTHER_SIDE 0.25 /* of the way to the next sample */
 
 static void take_other_side(sought *k, const flk_sample at[3], flk_sample *top)
@@ -311,8 +312,8 @@ static void take_top_beside_end(sought *k, const flk_sample *end, const flk_samp
 ** The search runs over the distance from the end, or where the column behaves as its root, over that. */
 #define BESIDE_END 4e-4 /* of the distance to the next sample */
 
-/* Behind at[0], the closest place, take the highest of some, ever farther away, into at[1] and its neighbours into the
-** others: of two alone rounding error could decide. */
+/* Behind at[0], the closest place, take the highest of some, ever farther away, into at[1] and its
+** neighbours into the others: of two alone rounding error could decide. */
 #define FARTHER 4
 
 static void take_highest_beside_end(sought *k, double next, flk_sample at[3])
@@ -472,7 +473,8 @@ static void refine(sought *k, int which)
     }
 }
 
-/* A peak between an end of the piece where the column is 0 / 0 and the next sample, at places ever closer to the end. */
+/* A peak between an end of the piece where the column is 0 / 0 and the next sample, at places ever
+** closer to the end. */
 #define CLOSER 10 /* halvings of the distance */
 
 static void refine_beside_undefined_end(sought *k, int which, int end)
@@ -527,8 +529,9 @@ static int is_low(const sought *k, size_t i)
     return !(i > 0 && v[-1] < v[0]) && !(i + 1 < k->x->n && v[1] < v[0]);
 }
 
-/* Offer the least size of a vector between samples that do not show it, as where a force nearly vanishes; where it does
-** vanish, its size has a corner, and the place is better known by the components. */
+/* Offer the least size of a vector between samples that do not show it, as where a force nearly
+** vanishes; where it does vanish, its size has a corner, and the place is better known by the
+** components. */
 #define VANISHES 1e-9 /* of the column's size */
 
 static void refine_least_sizes(sought *k)
@@ -572,10 +575,10 @@ static void offer_pole(void *data, const flk_pole *pole)
 
 /* --------------------------------------------------------------------------------------- rounding error */
 
-/* The rounding error of a column: rows beside one another are so far from a straight line.  A column can be far
-** smaller than its quantity elsewhere in the machine and yet exact, as an inertia force beside pin forces.
-** One that is nowhere larger than the rounding error of its quantity is 0 by symmetry, also where some rows
-** beside one another are exactly 0. */
+/* The rounding error of a column: rows beside one another are so far from a straight line.  A column can
+** be far smaller than its quantity elsewhere in the machine and yet exact, as an inertia force beside
+** pin forces.  One that is nowhere larger than the rounding error of its quantity is 0 by symmetry, also
+** where some rows beside one another are exactly 0. */
 #define NOISE_ROWS 6
 #define NOISE_STEP 2e-9         /* rad: so close, rows bend by rounding error only, */
 #define NOISE_PLACE 0.38        /* ... at this part of the piece, where no symmetry hides it */

@@ -8,7 +8,7 @@
 
 #include "samples.h"
 
-/* --------------------------------------------------------------------------------------------- one search */
+/* ------------------------------------------------------------------------------------------- one search */
 
 typedef struct flk_extreme {
     int is_there; /* 0: the linkage cannot be assembled at any angle of the motion */
@@ -37,7 +37,7 @@ typedef struct flk_extreme_pair {
 void flk_extreme_search(flk_analysis *a, const flk_samples_room *room, flk_bests *bests,
                         fourlink_branch branch, flk_extreme_pair *pairs, size_t n);
 
-/* ----------------------------------------------------------------------------- those that a deck asks for */
+/* --------------------------------------------------------------------------- those that a deck asks for */
 
 /* All are found in one search where all are wanted, or if they are
 ** few; else each is found alone.  The last digits may depend on which, but not on what was found before. */
@@ -53,8 +53,8 @@ typedef struct flk_extremes {
     flk_bests *bests;      /* of each column in one */
 } flk_extremes;
 
-/* Allocate memory for at most so many columns, in a struct that is 0; that of searches, unless there is some; and free
-** both.  0 when out of memory. */
+/* Allocate memory for at most so many columns, in a struct that is 0; that of searches, unless there is
+** some; and free both.  0 when out of memory. */
 int flk_extremes_open(flk_extremes *x, size_t most);
 int flk_extremes_prepare(flk_extremes *x);
 void flk_extremes_close(flk_extremes *x);

@@ -12,8 +12,8 @@
 #define FLK_FACT_RANGES 16 /* of crank angles on a branch, of decks with outputs */
 #define FLK_FACT_LIMIT (116 + 4 * FLK_FACT_RANGES + 2 * OUTPUT_FACTS * FOURLINK_MOST_GROUPS)
 
-/* The handle of a fact, which is negative; 0 if no deck has one of this name, or the deck has no output of it.
-** `d` may be null. */
+/* The handle of a fact, which is negative; 0 if no deck has one of this name, or the deck has no output
+** of it.  `d` may be null. */
 int flk_fact_find(const deck *d, text name);
 
 /* 1 if a deck has the output that a handle is of, if of one. */

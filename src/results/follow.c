@@ -268,7 +268,7 @@ int flk_followed_turns_over(const flk_followed *t, double from, double to)
     return flk_followed_change(t, from, to) > HALF_TURN;
 }
 
-/* ------------------------------------------------------------------------------------------------- limits */
+/* ----------------------------------------------------------------------------------------------- limits */
 
 /* Columns at dead positions and change points, where there is no row.
 **
@@ -324,8 +324,9 @@ void flk_limit_rows_near(const flk_follower *f, int needs, int at_end, flk_limit
 /* A column, or a component of its vector, in the rows. */
 typedef double values[SCALES][NODES];
 
-/* Returns the value at 0 of the polynomial through points.  *error is how much the last point changes that, or a
-** part of what the one before does: of a column with other powers of x the last change may be small by chance. */
+/* Returns the value at 0 of the polynomial through points.  *error is how much the last point changes
+** that, or a part of what the one before does: of a column with other powers of x the last change may be
+** small by chance. */
 #define CHANCE 1e-3
 
 static double value_at_end(const double *x, const double *y, flk_polynomial *p, double *error)
@@ -394,7 +395,7 @@ static best best_of(const flk_limit_rows *e, values y[2], int n, int order, flk_
     return b;
 }
 
-/* ------------------------------------------------------------------------------------------------- poles */
+/* ------------------------------------------------------------------------------------------------ poles */
 
 /* 1 if the rows closest to the end show a finite limit.  Rows farther away may still look like a pole,
 ** which lies beyond a narrow locked range. */
@@ -407,8 +408,8 @@ static int is_finite(const flk_limit_rows *e, values y)
     return e->is_root && error <= FINITE * fabs(y[0][NODES - 1]);
 }
 
-/* A pole is the same on two scales, and far greater than the error: on the smallest scales that shows a weak one
-** beside a narrow peak.  On one scale it may be known less well if it is not weak. */
+/* A pole is the same on two scales, and far greater than the error: on the smallest scales that shows a
+** weak one beside a narrow peak.  On one scale it may be known less well if it is not weak. */
 #define POLE_SCALE 1
 #define WEAK 1e-3 /* of the column there, times x^order */
 
@@ -461,8 +462,8 @@ static double find_growth(const flk_limit_rows *e, values y, int *order)
     return x[0] * near[0];
 }
 
-/* The same where a number is added, which may be larger, and the order is none of the usual ones, as 3/2 of a load with an
-** exponent: the differences of the rows close to the end grow as those of a pole do. */
+/* The same where a number is added, which may be larger, and the order is none of the usual ones, as 3/2
+** of a load with an exponent: the differences of the rows close to the end grow as those of a pole do. */
 static double find_growth_of_steps(const flk_limit_rows *e, values y, int *order)
 {
     double power[NODES], step = 0, last, first = y[0][0] - y[0][1], ratio;
@@ -538,9 +539,10 @@ static double find_growth_of_ratios(const flk_limit_rows *e, values y, int *orde
     return e->x[0][0] * first;
 }
 
-/* A pole of a component: a number with its sign, else 0; its order in x by the rows close to the end; and the
-** order `of_scale` on the scale on which it was found, 0 if on none.  Where rows of a finite column are differences of
-** unbounded forces, their rounding error grows as these do: steps no larger than that are none of a pole. */
+/* A pole of a component: a number with its sign, else 0; its order in x by the rows close to the end;
+** and the order `of_scale` on the scale on which it was found, 0 if on none.  Where rows of a finite
+** column are differences of unbounded forces, their rounding error grows as these do: steps no larger
+** than that are none of a pole. */
 static double find_pole_of(const flk_limit_rows *e, values y, int has_direction, double rounding,
                            int *order, int *of_scale)
 {
@@ -556,7 +558,7 @@ static double find_pole_of(const flk_limit_rows *e, values y, int has_direction,
     return growth != 0 ? growth : strength;
 }
 
-/* ------------------------------------------------------------------------------------------ their values */
+/* ----------------------------------------------------------------------------------------- their values */
 
 /* A column that is zero within rounding can seem to have a pole, such as alpha3 of a crank and a rod of
 ** the same length where alpha2 is 0. */
@@ -640,8 +642,8 @@ static void find_finite(const flk_limit_rows *e, const flk_followed *t, values y
         l->value = 0; /* such as the transmission angle at a dead position */
 }
 
-/* A load over a speed with an exponent such as 3/2 gives a column that has powers of the root of x.  Its value at
-** the end by a polynomial in that. */
+/* A load over a speed with an exponent such as 3/2 gives a column that has powers of the root of x.  Its
+** value at the end by a polynomial in that. */
 static double extrapolate_in_root(const double *x, const double *y, double *error)
 {
     double root[NODES];
@@ -653,9 +655,10 @@ static double extrapolate_in_root(const double *x, const double *y, double *erro
     return value_at_end(root, y, &p, error);
 }
 
-/* A direction, of a vector whose components are P(root of x) / x^(k / 2): where k is the order of the vector's pole, the
-** values of both P at the end are not 0, and have it.  Unlike those of the unit vector their polynomials are as exact
-** where the direction turns over close to the end.  1 if it is known with an error below `least`, rad. */
+/* A direction, of a vector whose components are P(root of x) / x^(k / 2): where k is the order of the
+** vector's pole, the values of both P at the end are not 0, and have it.  Unlike those of the unit
+** vector their polynomials are as exact where the direction turns over close to the end.  1 if it is
+** known with an error below `least`, rad. */
 static int direction_in_root(const flk_limit_rows *e, values y[2], double least, double *angle)
 {
     double value[2], error[2], times[2][NODES], length, doubt;

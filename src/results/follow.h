@@ -95,7 +95,7 @@ double flk_followed_behind_gap(const flk_followed *t, const flk_follower *f);
 double flk_followed_change(const flk_followed *t, double from, double to);
 int flk_followed_turns_over(const flk_followed *t, double from, double to);
 
-/* ------------------------------------------------------------------------------------------------- limits */
+/* ----------------------------------------------------------------------------------------------- limits */
 
 #define FLK_LIMIT_SCALES 8
 #define FLK_LIMIT_NODES 8
@@ -126,7 +126,8 @@ typedef struct flk_limit {
     flk_polynomial of[2];
 } flk_limit;
 
-/* Find the limit of a column; `size` is its size elsewhere, `scale` that of its quantity in the closest row. */
+/* Find the limit of a column; `size` is its size elsewhere, `scale` that of its quantity in the closest
+** row. */
 void flk_limit_find(const flk_limit_rows *e, const flk_followed *t, double size, double scale,
                     flk_limit *l);
 

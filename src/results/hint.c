@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** hint.c - why a value may differ from the computed one: a sign, a unit, the branch, the row, values above, weights, axes.
+** hint.c - why a value may differ from the computed one: a sign, a unit, the branch, the row, values above,
+** weights, axes.
 */
 #include <math.h>
 #include <string.h>
@@ -37,7 +38,8 @@ static const struct {
 
 #define FACTORS (sizeof factor_table / sizeof factor_table[0])
 
-/* 1 if the value would agree but for a factor.  What [grading] allows is of the computed value, and as much smaller or larger. */
+/* 1 if the value would agree but for a factor.  What [grading] allows is of the computed value, and as
+** much smaller or larger. */
 static int agrees_by_factor(const fourlink_check *c, double factor)
 {
     fourlink_check scaled = *c;
@@ -222,8 +224,8 @@ static int open_slip(flk_opened *o, size_t i)
     return status == FOURLINK_NO_MEMORY ? status : FOURLINK_OK;
 }
 
-/* 1 if the deck with a slip has a value that agrees, which is so far apart.  In other axes also where the crank has the same
-** angle on the page: only what is asked may have been measured from them. */
+/* 1 if the deck with a slip has a value that agrees, which is so far apart.  In other axes also where
+** the crank has the same angle on the page: only what is asked may have been measured from them. */
 static int agrees_in_slip(flk_opened *slip, const flk_name *n, const flk_opened *o, slip_kind kind,
                           const fourlink_check *c, double turn, double *apart)
 {
@@ -272,7 +274,8 @@ static int hint_of_slip(flk_opened *o, const flk_name *n, fourlink_check *c, dou
     return FOURLINK_OK;
 }
 
-/* ": that of F32" where a name is that of the pin force F23 or of a part of it: the force of the other link; else "". */
+/* ": that of F32" where a name is that of the pin force F23 or of a part of it: the force of the other
+** link; else "". */
 static const char *opposite_force(const char *name, char words[40])
 {
     static const char that[] = ": that of F";

@@ -7,8 +7,8 @@
 
 #include "opened.h"
 
-/* Set check->hint of an expected value if two numbers of this name differ in a typical way, and in check->part what the slip is
-** worth where hint = half: FOURLINK_OK, FOURLINK_NO_MEMORY. */
+/* Set check->hint of an expected value if two numbers of this name differ in a typical way, and in
+** check->part what the slip is worth where hint = half: FOURLINK_OK, FOURLINK_NO_MEMORY. */
 int flk_hint_find(flk_opened *o, const deck_expectation *e, const flk_name *n,
                   fourlink_check *check);
 

@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** indicated.c - what the indicator card of an engine says: the work of the gas in a cycle, its power, the mean
-** effective pressure.
+** indicated.c - what the indicator card of an engine says: the work of the gas in a cycle, its power, the
+** mean effective pressure.
 **
-** Over a cycle of the angle c, along the motion (Heywood, Internal Combustion Engine Fundamentals, chapter 2),
+** Over a cycle of the angle c, along the motion (Heywood, Internal Combustion Engine Fundamentals, chapter
+** 2),
 **
 **    W = integral of p dV,   P = W |omega| / c,   mep = W / V_s
 **
-** where V_s is the displacement.  A constant pressure, such as that on the crank side, does no work in a cycle.
-** For a clockwise crank, which passes the card backwards, W has the other sign.
+** where V_s is the displacement.  A constant pressure, such as that on the crank side, does no work in a
+** cycle.  For a clockwise crank, which passes the card backwards, W has the other sign.
 */
 #include <math.h>
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** indicated.h - what the indicator card of an engine says: the work of the gas in a cycle, its power, the mean
-** effective pressure.
+** indicated.h - what the indicator card of an engine says: the work of the gas in a cycle, its power, the
+** mean effective pressure.
 */
 #ifndef FOURLINK_INDICATED_H
 #define FOURLINK_INDICATED_H

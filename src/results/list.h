@@ -14,7 +14,8 @@ typedef struct flk_list {
     unsigned long n;
 } flk_list;
 
-/* The units in which the lines of a deck give its numbers, each once, in memory allocated when it was opened. */
+/* The units in which the lines of a deck give its numbers, each once, in memory allocated when it was
+** opened. */
 typedef struct flk_line_units {
     char *texts; /* of DECK_NAME_SIZE bytes each */
     size_t n;

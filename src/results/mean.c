@@ -13,16 +13,16 @@
 #include "mean.h"
 #include "pole.h"
 
-/* --------------------------------------------------------------------------------------------------- mean */
+/* ------------------------------------------------------------------------------------------------- mean */
 
 /* The mean and the root mean square of a column over the crank angles of a motion:
 **
 **    mean = (integral of y dtheta) / c,   rms = sqrt((integral of y^2 dtheta) / c)
 **
-** with c the angle of that part of the motion in which the column has a value.  Both are found together, and kept.
-** Each piece of the motion (samples.h) is integrated over the parameter s of follow.h, in which a root at its end
-** is smooth, in wide parts.  A part in which the rule is not exact is halved, as beside a corner that the size of
-** a vector has where it passes through zero.
+** with c the angle of that part of the motion in which the column has a value.  Both are found together,
+** and kept.  Each piece of the motion (samples.h) is integrated over the parameter s of follow.h, in which
+** a root at its end is smooth, in wide parts.  A part in which the rule is not exact is halved, as beside a
+** corner that the size of a vector has where it passes through zero.
 **
 ** At a pole (pole.h) the column grows as distance^-m, y^k as distance^-km: its integral is infinite where
 ** k m >= 1.  At a dead position a velocity grows as distance^-1/2: it has a mean, but no finite rms.
@@ -189,9 +189,9 @@ static double noise_in_part(means *m, int power, double from, double to)
     return noise;
 }
 
-/* 1 if the error of a part is rounding error of the rows, which halving does not reduce.  It can be as large as the part's
-** own integral, where a difference of large terms passes through 0.  That of a corner can be as small, and is reduced to about
-** a quarter. */
+/* 1 if the error of a part is rounding error of the rows, which halving does not reduce.  It can be as
+** large as the part's own integral, where a difference of large terms passes through 0.  That of a
+** corner can be as small, and is reduced to about a quarter. */
 static int is_rounding(means *m, int power, double from, double to, const flk_integral *part,
                        const flk_integral *both)
 {
@@ -206,8 +206,8 @@ static int is_exact(const flk_integral *part, double whole)
     return part->error <= EXACT * part->size || part->error <= EXACT * whole;
 }
 
-/* The rule does not see a corner between an end of a part and its first node: there the column is not what the
-** nodes say.  Adds the integral of the difference to the errors. */
+/* The rule does not see a corner between an end of a part and its first node: there the column is not
+** what the nodes say.  Adds the integral of the difference to the errors. */
 static void add_error_at_end(const means *m, double from, double to, int at_end, flk_integral *part)
 {
     double end = at_end ? to : from, gap = END_GAP * (to - from) * flk_follow_rate(&m->x.f, end);
@@ -259,7 +259,8 @@ static void integrate(means *m, double from, double to, const flk_integral *both
     follow_angle(m, to);
 }
 
-/* 1 if the column grows towards an end as no power of the root of the distance: by a load with an exponent. */
+/* 1 if the column grows towards an end as no power of the root of the distance: by a load with an
+** exponent. */
 static int has_broken_power(const means *m, int at_end)
 {
     const flk_limit *l = &m->c->limit[at_end];
@@ -268,8 +269,8 @@ static int has_broken_power(const means *m, int at_end)
            fabs(2 * l->growth - floor(2 * l->growth + 0.5)) > 0;
 }
 
-/* The limit of a sequence, by three numbers of its members: one of them may be off by a denominator that is small by
-** chance. */
+/* The limit of a sequence, by three numbers of its members: one of them may be off by a denominator that
+** is small by chance. */
 static double median_limit(const double *of)
 {
     double copy[TO_END], limit[3];
@@ -441,7 +442,7 @@ int flk_mean_find(flk_analysis *a, const flk_samples_room *room, const flk_colum
     return found->status[k];
 }
 
-/* ----------------------------------------------------------------------------------------- turning moment */
+/* --------------------------------------------------------------------------------------- turning moment */
 
 /* With T = -Ts the turning moment, Tm its mean over the cycle of angle c, and the load torque equal to Tm,
 ** the flywheel takes up the difference:

@@ -8,13 +8,13 @@
 
 #include "samples.h"
 
-/* Allocate the memory for the means of at most so many columns, until flk_analysis_close; 0 when out of memory. */
+/* Allocate the memory for the means of at most so many columns, until flk_analysis_close; 0 when out of
+** memory. */
 int flk_means_open(flk_analysis *a, size_t most);
 
-/* FLK_MEAN or FLK_RMS of a column, in its unit; infinite if the integral is.  `room` is for two columns.
-** Both are found at once.
-** Returns FOURLINK_OK, FOURLINK_NOT_REACHED, FOURLINK_NO_MEAN, FOURLINK_LONG_SEARCH, FOURLINK_TOO_LONG or, for a motion of one
-** instant, the status of its row. */
+/* FLK_MEAN or FLK_RMS of a column, in its unit; infinite if the integral is.  `room` is for two
+** columns.  Both are found at once.  Returns FOURLINK_OK, FOURLINK_NOT_REACHED, FOURLINK_NO_MEAN,
+** FOURLINK_LONG_SEARCH, FOURLINK_TOO_LONG or, for a motion of one instant, the status of its row. */
 int flk_mean_find(flk_analysis *a, const flk_samples_room *room, const flk_column *c,
                   fourlink_branch branch, flk_statistic statistic, double *mean);
 

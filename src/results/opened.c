@@ -35,7 +35,7 @@ int flk_opened_prepare(flk_opened *o, int branch, int groups)
                : status;
 }
 
-/* ------------------------------------------------------------------------------------------------ opening */
+/* ---------------------------------------------------------------------------------------------- opening */
 
 /* Report a NAME at ANGLE that has no value, or no handle. */
 static void refuse_at(flk_opened *o, text name, const flk_name *n, text_place place)
@@ -302,8 +302,9 @@ static void list_conditions(flk_opened *o)
     }
 }
 
-/* Allocate the facts and all lists in one piece, with as many names; 0 if out of memory.  A piece that is the largest part of
-** a design stays with the C library's heap: smaller ones went back to the system with each design of a sweep. */
+/* Allocate the facts and all lists in one piece, with as many names; 0 if out of memory.  A piece that
+** is the largest part of a design stays with the C library's heap: smaller ones went back to the system
+** with each design of a sweep. */
 static int allocate(flk_opened *o)
 {
     size_t columns = flk_column_limit(&o->d), size[FOURLINK_CONDITIONS + 1], total = FLK_FACT_LIMIT;

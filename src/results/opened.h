@@ -62,7 +62,7 @@ struct fourlink_results {
     size_t n_set;
 };
 
-/* -------------------------------------------------------------------------------------------------- names */
+/* ------------------------------------------------------------------------------------------------ names */
 
 typedef enum flk_name_kind {
     FLK_NAME_UNKNOWN,
@@ -99,12 +99,13 @@ void flk_name_of_handle(flk_opened *o, int handle, flk_name *n);
 /* Describe what a name means, without its value; all 0 if it is unknown. */
 void flk_name_describe(const flk_opened *o, const flk_name *n, fourlink_value *v);
 
-/* Beside groups of facts: extremes, means and crossings are searches along the motion, rows have places on it. */
+/* Beside groups of facts: extremes, means and crossings are searches along the motion, rows have places
+** on it. */
 #define FLK_SEARCHES FOURLINK_FACTS_EXTREMES
 #define FLK_ROWS 64
 
-/* Find the motion of a branch, or with 0 of those of the deck, as far as these groups need it, and room for searches.
-** What a name needs.  FOURLINK_OK, FOURLINK_NO_MEMORY. */
+/* Find the motion of a branch, or with 0 of those of the deck, as far as these groups need it, and room
+** for searches.  What a name needs.  FOURLINK_OK, FOURLINK_NO_MEMORY. */
 int flk_opened_prepare(flk_opened *o, int branch, int groups);
 int flk_name_prepare(flk_opened *o, const flk_name *n, fourlink_branch branch);
 
@@ -123,7 +124,7 @@ double flk_name_turn(const flk_opened *o, const flk_name *n);
 ** number. */
 unsigned long flk_name_facts(flk_opened *o, int handle, fourlink_branch branch);
 
-/* ------------------------------------------------------------------------------------------------ opening */
+/* ---------------------------------------------------------------------------------------------- opening */
 
 /* Where the mistakes of a deck go: as in fourlink_results_open. */
 typedef struct flk_mistake_list {
@@ -132,10 +133,10 @@ typedef struct flk_mistake_list {
     unsigned long *n;
 } flk_mistake_list;
 
-/* Open the deck of a source; `like` is null, or a deck that may be the same and has done part of the work, and
-** must then live longer.  Open another design of an opened deck's sweep, with `n_set` numbers set; another
-** solution of its [synthesis]; the same deck with a change: these share the settings of `from`, which must live longer.  Return the
-** status of fourlink_results_open. */
+/* Open the deck of a source; `like` is null, or a deck that may be the same and has done part of the
+** work, and must then live longer.  Open another design of an opened deck's sweep, with `n_set` numbers
+** set; another solution of its [synthesis]; the same deck with a change: these share the settings of
+** `from`, which must live longer.  Return the status of fourlink_results_open. */
 int flk_opened_read(const fourlink_source *source, const flk_opened *like,
                     const flk_mistake_list *list, flk_opened **opened);
 int flk_opened_design(const flk_opened *from, unsigned long design, const deck_number *set,

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** pole.h - where a column grows without bound in a piece of the motion: what the extremes and the means know of
-** it.
+** pole.h - where a column grows without bound in a piece of the motion: what the extremes and the means
+** know of it.
 */
 #ifndef FOURLINK_POLE_H
 #define FOURLINK_POLE_H

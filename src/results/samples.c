@@ -346,8 +346,9 @@ static void halve_steps(flk_samples *x, double step)
             insert_sample(x, i + 1, 0.5 * (x->s[i] + x->s[i + 1]));
 }
 
-/* More samples beside peaks of the pin forces until one is found in which friction locks the mechanism: beside it forces
-** grow as the inverse of the distance.  A peak is more than PEAK times as large as the samples beside it. */
+/* More samples beside peaks of the pin forces until one is found in which friction locks the mechanism:
+** beside it forces grow as the inverse of the distance.  A peak is more than PEAK times as large as the
+** samples beside it. */
 #define LOCK_HALVINGS 6
 #define PEAK 1.5
 
@@ -417,9 +418,9 @@ static int angle_jumps(const flk_samples *x, size_t i)
     return 0;
 }
 
-/* 1 if a direction may make a whole turn between samples i and i + 1, whose difference does not show it: its vector goes
-** around the origin.  Then that is on one side of the chord and on the other of the curve, which is as far from the chord as
-** its bend says. */
+/* 1 if a direction may make a whole turn between samples i and i + 1, whose difference does not show it:
+** its vector goes around the origin.  Then that is on one side of the chord and on the other of the
+** curve, which is as far from the chord as its bend says. */
 #define BEND 0.5 /* times the bend of the samples: an arc is 1/8 of it away */
 
 /* The part of the bend of samples i - 1, i, i + 1 in a step of length h. */
@@ -443,8 +444,8 @@ static double bend_of_vector(const flk_samples *x, const flk_sampled *c, size_t 
     return GSL_MAX_DBL(before, behind);
 }
 
-/* The part of the chord between two samples of a vector at which it is closest to the origin, and how far it is
-** from that. */
+/* The part of the chord between two samples of a vector at which it is closest to the origin, and how
+** far it is from that. */
 static double part_of_chord(const flk_sampled *c, size_t i)
 {
     const double *u = c->vector[0] + i, *v = c->vector[1] + i;
@@ -573,8 +574,8 @@ static void find_sizes(flk_samples *x)
 
 #define ROUNDED 1e-7 /* rad */
 
-/* 1 for a stretch at whose end friction begins or ceases to lock, so short that rounding error has made it: there rows are
-** differences of forces that are as good as unbounded. */
+/* 1 for a stretch at whose end friction begins or ceases to lock, so short that rounding error has made
+** it: there rows are differences of forces that are as good as unbounded. */
 static int is_of_rounding(const flk_piece *p)
 {
     return p->to - p->from < ROUNDED && (p->begin == FLK_END_LOCK || p->end == FLK_END_LOCK);
@@ -619,7 +620,8 @@ static double lock_at(double passed, void *data)
     return row.at.status == FOURLINK_LOCKED ? GSL_NEGINF : GSL_POSINF;
 }
 
-/* 1 so close to a place at which a slider goes beyond all bounds that rounding error decides whether friction locks. */
+/* 1 so close to a place at which a slider goes beyond all bounds that rounding error decides whether
+** friction locks. */
 static int is_beside_pole(const flk_piece *p, double passed)
 {
     return (passed - p->from < ROUNDED && p->begin == FLK_END_POLE) ||
@@ -716,8 +718,9 @@ static void bends_of(const flk_samples *x, const double *v, size_t i, double ben
     bend[0] = i > 0 ? bend[0] : bend[1];
 }
 
-/* Where the chord is closest to the origin, the curve is beside it by its bend, which is known to within its change
-** over the step.  It is no farther from the chord than that is long: where the bend says so, it is rounding error. */
+/* Where the chord is closest to the origin, the curve is beside it by its bend, which is known to within
+** its change over the step.  It is no farther from the chord than that is long: where the bend says so,
+** it is rounding error. */
 double flk_samples_least_size(const flk_samples *x, const flk_sampled *c, size_t i)
 {
     double part = part_of_chord(c, i), arc = part * (1 - part) / 2, F[2], off[2], d[2], bend[2];

@@ -71,8 +71,9 @@ int flk_samples_next(flk_samples *x);
 /* Insert a sample of all columns before number i, which is not the first; 0 if there is no room. */
 int flk_samples_insert(flk_samples *x, size_t i, double s);
 
-/* Where the vector of a column has its least size between samples i and i + 1, nearly: where it is at right angles to
-** its change over the step.  0 if that is nowhere.  And how small it may be there, by how it bends. */
+/* Where the vector of a column has its least size between samples i and i + 1, nearly: where it is at
+** right angles to its change over the step.  0 if that is nowhere.  And how small it may be there, by
+** how it bends. */
 int flk_samples_find_least_size(const flk_samples *x, const flk_sampled *c, size_t i, double *s);
 double flk_samples_least_size(const flk_samples *x, const flk_sampled *c, size_t i);
 

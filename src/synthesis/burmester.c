@@ -2,8 +2,8 @@
 **
 ** burmester.c - the links that hold a coupler in five poses.
 **
-** A link is pinned at w to the coupler and at m to the ground.  In pose i the coupler's point is at z_i and its angle is
-** phi_i, so that the link is
+** A link is pinned at w to the coupler and at m to the ground.  In pose i the coupler's point is at z_i and
+** its angle is phi_i, so that the link is
 **
 **    d_i = z_i + w e^(i phi_i) - m,   |d_i|^2 = |d_0|^2,   i = 1 ... 4
 **

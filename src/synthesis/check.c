@@ -181,8 +181,8 @@ static void continue_angles(fourlink_solution *s, int sense, flk_freedom freedom
     }
 }
 
-/* Continue the angles of a crank that turns fully and may run either way: it passes the positions within a turn,
-** or their order is another one. */
+/* Continue the angles of a crank that turns fully and may run either way: it passes the positions within
+** a turn, or their order is another one. */
 static void continue_turn(fourlink_solution *s, flk_freedom freedom)
 {
     double low, high;

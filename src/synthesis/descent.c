@@ -35,8 +35,9 @@ typedef struct sums {
         tr[FOURLINK_POSITIONS_MAX];
 } sums;
 
-/* The rows of a position: x, y, the coupler's angle, and how much |cos(mu)| is too large; their derivatives.  The rows of
-** bounds are like the last one: two of the transmission angle, one of each length, one of their ratio. */
+/* The rows of a position: x, y, the coupler's angle, and how much |cos(mu)| is too large; their
+** derivatives.  The rows of bounds are like the last one: two of the transmission angle, one of each
+** length, one of their ratio. */
 enum { X, Y, TURN, MU, ROWS, BOUND = MU, BOUNDS = 7 };
 typedef struct rows {
     double r[ROWS], J[ROWS][FLK_UNKNOWNS], t[ROWS];
@@ -421,8 +422,9 @@ static double square_of(const rows *row)
     return row->r[X] * row->r[X] + row->r[Y] * row->r[Y] + row->r[TURN] * row->r[TURN];
 }
 
-/* Turn the crank of one position to where the point is nearest: dtheta = -t'r / t't, halved if it is too much.  Where the
-** curve bends much that is slow; the second derivative by differences, d(t'r)/dtheta, is quick. */
+/* Turn the crank of one position to where the point is nearest: dtheta = -t'r / t't, halved if it is too
+** much.  Where the curve bends much that is slow; the second derivative by differences, d(t'r)/dtheta,
+** is quick. */
 static void settle(const flk_points *p, flk_trial *at, const flk_shape *shape, unsigned long j)
 {
     double theta2 = at->theta2[j], turn = 0, square, slope, last = 0, tr, tt;

@@ -11,11 +11,11 @@
 **
 ** s, 1 or -1, is the branch, and u the swing from the line of the dead positions, m: 0 to pi, or at least 0.
 **
-** The linkage reaches a crank angle if |b - c| <= f <= b + c, f^2 = a^2 + d^2 - 2 a d cos(theta2), or if
-** |r sin(theta2) - e| <= l.  So it reaches all points if it reaches two of them, p and q, with the least and
-** the largest cosine, or sine.  There it may have any swings: they give W at p and q, and these K2 and K3.  So
-** K1 and the two swings are coordinates of all linkages that reach all points, with bounds that do not depend
-** on each other.
+** The linkage reaches a crank angle if |b - c| <= f <= b + c, f^2 = a^2 + d^2 - 2 a d cos(theta2), or if |r
+** sin(theta2) - e| <= l.  So it reaches all points if it reaches two of them, p and q, with the least and
+** the largest cosine, or sine.  There it may have any swings: they give W at p and q, and these K2 and K3.
+** So K1 and the two swings are coordinates of all linkages that reach all points, with bounds that do not
+** depend on each other.
 */
 #include <math.h>
 #include <string.h>

@@ -2,10 +2,10 @@
 **
 ** points.c - linkages whose coupler point passes many points: descents from many starts.
 **
-** A start has the ratios of the links, and a crank angle for each position: equal shares of the path belong to
-** equal rotations.  Then the pivots and the coupler point follow from a linear problem, and a descent changes
-** all of them.  The numbers of the starts are Halton's: they fill their box evenly, and are the same on each
-** run.  (J. H. Halton, Numer. Math. 2 (1960) 84-90.)
+** A start has the ratios of the links, and a crank angle for each position: equal shares of the path belong
+** to equal rotations.  Then the pivots and the coupler point follow from a linear problem, and a descent
+** changes all of them.  The numbers of the starts are Halton's: they fill their box evenly, and are the
+** same on each run.  (J. H. Halton, Numer. Math. 2 (1960) 84-90.)
 */
 #include <math.h>
 #include <stdlib.h>
@@ -37,8 +37,8 @@
 #define FULL_STEPS 1000
 #define FULLY 1e-11
 
-/* The transmission angle is aimed at by so much more, rad, bounds of lengths by this part of them; what is beyond counts more
-** and more until it holds. */
+/* The transmission angle is aimed at by so much more, rad, bounds of lengths by this part of them; what
+** is beyond counts more and more until it holds. */
 #define CLOSE_TO_MU 1e-6
 #define DEAD (0.1 * M_PI / 180) /* a linkage with less is as good as dead, whatever is asked for */
 #define STIFFEST 1e5

@@ -10,9 +10,9 @@
 /* The unknowns of a linkage in the units of flk_points, and then one crank angle for each position.
 **
 ** AX to DY are the pivots; of a slider-crank, D is A plus the rod turned into the direction of stroke.
-** QX and QY are the coupler point in the coupler's axes, relative to AD.  SHAPE are three numbers for the ratios
-** of the links, see trace.c.  START is the crank angle of the first position, with timing; ATTITUDE is the
-** angle of the coupler at which the wanted angle is 0. */
+** QX and QY are the coupler point in the coupler's axes, relative to AD.  SHAPE are three numbers for
+** the ratios of the links, see trace.c.  START is the crank angle of the first position, with timing;
+** ATTITUDE is the angle of the coupler at which the wanted angle is 0. */
 enum {
     FLK_AX,
     FLK_AY,
@@ -70,8 +70,9 @@ typedef struct flk_pose {
 /* Number i of Halton's of a base, between 0 and 1 (points.c). */
 double flk_halton(unsigned long i, unsigned long base);
 
-/* The links that hold the coupler in five poses: where each is pinned, wx and wy in the coupler's axes, from its point,
-** turned by its angle, and mx and my on the ground.  Returns how many there are (burmester.c). */
+/* The links that hold the coupler in five poses: where each is pinned, wx and wy in the coupler's axes,
+** from its point, turned by its angle, and mx and my on the ground.  Returns how many there are
+** (burmester.c). */
 #define FLK_POSES 5
 #define FLK_LINKS 4
 int flk_burmester(const flk_points *p, double links[FLK_LINKS][4]);
@@ -89,8 +90,8 @@ void flk_trial_from(const flk_points *p, const fourlink_solution *from, flk_tria
 /* The pose at a crank angle; 0 if the linkage does not reach it (trace.c). */
 int flk_pose_at(const flk_shape *shape, double theta2, flk_pose *pose);
 
-/* cos(mu) of the transmission angle at a crank angle, and its derivatives by the three numbers of the shape and
-** by the angle (trace.c). */
+/* cos(mu) of the transmission angle at a crank angle, and its derivatives by the three numbers of the
+** shape and by the angle (trace.c). */
 double flk_transmission(const flk_shape *shape, double theta2, double by[4]);
 
 /* Solve H x = g, H symmetric and positive definite, which is overwritten; 0 if it is not (descent.c). */

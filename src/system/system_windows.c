@@ -23,7 +23,7 @@ static wchar_t *volatile at_work;
 static volatile sig_atomic_t caught;
 static UINT old_page; /* of the console */
 
-/* ------------------------------------------------------------------------------------------- errors, text */
+/* ----------------------------------------------------------------------------------------- errors, text */
 
 /* Set errno from the error of the last call. */
 static int fail(void)
@@ -79,7 +79,7 @@ static HANDLE handle_of(FILE *stream)
     return (HANDLE)_get_osfhandle(_fileno(stream));
 }
 
-/* ------------------------------------------------------------------------------------------------- begin */
+/* ------------------------------------------------------------------------------------------------ begin */
 
 /* Not declared in any header: the arguments of the program, with * and ? expanded. */
 typedef struct start_info {
@@ -128,7 +128,7 @@ void system_begin(int *argc, char ***argv)
     }
 }
 
-/* ------------------------------------------------------------------------------------------------- names */
+/* ------------------------------------------------------------------------------------------------ names */
 
 int system_is_separator(char c)
 {
@@ -148,7 +148,7 @@ int system_read_link(const char *path, char *target, size_t size)
     return 0;
 }
 
-/* ------------------------------------------------------------------------------------------------- files */
+/* ------------------------------------------------------------------------------------------------ files */
 
 /* Open a file or folder only for queries; INVALID_HANDLE_VALUE with errno set on failure. */
 static HANDLE open_place(const char *path)
@@ -418,7 +418,7 @@ void system_watch(char *name)
     at_work = wide(name);
 }
 
-/* --------------------------------------------------------------------------------------------- terminals */
+/* -------------------------------------------------------------------------------------------- terminals */
 
 int system_is_terminal(FILE *stream)
 {
@@ -436,7 +436,7 @@ unsigned long system_width(FILE *stream)
     return (unsigned long)(info.srWindow.Right - info.srWindow.Left + 1);
 }
 
-/* ----------------------------------------------------------------------------------------------- signals */
+/* ---------------------------------------------------------------------------------------------- signals */
 
 static void on_signal(int number)
 {
@@ -458,7 +458,7 @@ int system_caught(void)
     return (int)caught;
 }
 
-/* ---------------------------------------------------------------------------------------------- programs */
+/* --------------------------------------------------------------------------------------------- programs */
 
 /* The arguments in one line.  None of ours has blanks or quotes. */
 static wchar_t *command_line(const char *const *arguments)

@@ -285,8 +285,8 @@ typedef struct name_list {
     unsigned long n;
 } name_list;
 
-/* 1 if name i of the last of these results stands nowhere before.  Of a deck only facts, whose handles are negative, can
-** have one name, such as the ends of two ranges. */
+/* 1 if name i of the last of these results stands nowhere before.  Of a deck only facts, whose handles
+** are negative, can have one name, such as the ends of two ranges. */
 static int is_new(const name_list *all, size_t last, unsigned long i)
 {
     unsigned long k, own = all[last].list[i].handle < 0 ? i : 0;

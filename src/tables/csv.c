@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
 ** csv.c - the format csv, RFC 4180: one header for all decks, then a line for each row, fact, comparison or
-** design.  Lines end in LF; computed numbers have 17 digits, those of the deck the fewest that read back; what is
-** undefined is empty, what is unbounded inf or -inf.
+** design.  Lines end in LF; computed numbers have 17 digits, those of the deck the fewest that read back;
+** what is undefined is empty, what is unbounded inf or -inf.
 */
 #include <float.h>
 #include <string.h>

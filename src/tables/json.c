@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** json.c - the format json, RFC 8259: an object for a deck; for several decks, for the designs of a
-** sweep, and in the format jsonl always, one object a line.  Computed numbers have 17 digits, those of the deck the fewest
-** that read back; undefined is null, unbounded is "inf" or "-inf".
+** json.c - the format json, RFC 8259: an object for a deck; for several decks, for the designs of a sweep,
+** and in the format jsonl always, one object a line.  Computed numbers have 17 digits, those of the deck
+** the fewest that read back; undefined is null, unbounded is "inf" or "-inf".
 */
 #include <float.h>
 #include <string.h>

@@ -21,8 +21,9 @@ typedef struct geometry_output {
 
 geometry_output geometry_find_output(const view *v, const fourlink_state *state, int i);
 
-/* The slot of an output that hangs by one: where its block is, the unit vector along it, and where it begins and ends,
-** beside the block, which is beyond its end where the slider is far away.  `link` has it. */
+/* The slot of an output that hangs by one: where its block is, the unit vector along it, and where it
+** begins and ends, beside the block, which is beyond its end where the slider is far away.  `link` has
+** it. */
 typedef struct geometry_slot {
     fourlink_vector block, axis;
     double from, to;

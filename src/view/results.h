@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** results.h - the functions of fourlink.h that need memory, with the same names but for their beginning: if it fails,
-** that is noted (system/memory.h).  The others on a branch could fail so only where its motion is integrated: they are called
-** after view_find_motion, for the branches that the deck requests.
+** results.h - the functions of fourlink.h that need memory, with the same names but for their beginning: if
+** it fails, that is noted (system/memory.h).  The others on a branch could fail so only where its motion is
+** integrated: they are called after view_find_motion, for the branches that the deck requests.
 */
 #ifndef FOURLINK_VIEW_RESULTS_H
 #define FOURLINK_VIEW_RESULTS_H
@@ -34,8 +34,8 @@ int results_facts(fourlink_results *results, int branch, int groups, const fourl
 /* The i-th comparison; 0 if memory fails, and all of it is 0, with empty texts. */
 int results_check(fourlink_results *results, unsigned long i, fourlink_check *check);
 
-/* 1 for a status that leaves open what a value is: the motion or the search would take too long.  Others say that there is
-** none. */
+/* 1 for a status that leaves open what a value is: the motion or the search would take too long.  Others
+** say that there is none. */
 int results_gave_up(int status);
 
 #endif

@@ -11,8 +11,9 @@
 #include "rounding.h"
 #include "system/format.h"
 
-/* Near a dead position rounding error grows with the condition number 1 / sin(mu); FORMAT_ROUNDING is so much
-** larger than that of a number that smaller ones do not matter.  In the position itself the input gives the motion. */
+/* Near a dead position rounding error grows with the condition number 1 / sin(mu); FORMAT_ROUNDING is so
+** much larger than that of a number that smaller ones do not matter.  In the position itself the input
+** gives the motion. */
 #define CONDITION 1000
 
 static double growth_of(const fourlink_state *state)

@@ -60,8 +60,8 @@ static const scene_side without_turning[] = {{"a", "B", "n", O, BETWEEN, TRACK_A
                                              {"a", "BB4", "", B4, B, TRACK_AS, 3},
                                              NO_SIDE};
 
-/* Of an output, in whose names 6 is its slider or rocker and k the link that carries it.  Of each type those sides have
-** a track that it has.
+/* Of an output, in whose names 6 is its slider or rocker and k the link that carries it.  Of each type
+** those sides have a track that it has.
 **
 ** v_Q = v_P + v_QP, of a rocker that floats = v_D + v_QD; in slots v_P = v_P6 + v_PP6, v_Q = v_Qk + v_QQk */
 enum { P = 1, Q, D, P6, QK, PART, PART_D, PART_S };
@@ -284,7 +284,8 @@ static void add_pin_of_output(scene *s, const char *sub, int of, int at, int on,
         add(s->forces, &s->n_forces, SCENE_PIN, "-F", sub, of, -1, at, other);
 }
 
-/* FP on the rod, or on slider or rocker with a slot; FQ on slider or rocker; FD on a rocker at its pin, or of the guide. */
+/* FP on the rod, or on slider or rocker with a slot; FQ on slider or rocker; FD on a rocker at its pin,
+** or of the guide. */
 static void add_output(scene *s, const view *v, int i)
 {
     const fourlink_group *g = &v->design->group[i];
@@ -342,8 +343,8 @@ static int is_inner(const fourlink_load_info *load, const fourlink_joint *joint)
     return joint ? !is_guide(joint) : load->sort == FOURLINK_LOAD_SPRING;
 }
 
-/* Where the torque of load i is drawn: at the first pin of its link, on one of an output where the load acts, that
-** of a spring at the spring's. */
+/* Where the torque of load i is drawn: at the first pin of its link, on one of an output where the load
+** acts, that of a spring at the spring's. */
 static int place_of_torque(const view *v, const fourlink_load_info *load, int i)
 {
     fourlink_spring spring;
@@ -387,7 +388,8 @@ static void add_loads(scene *s, const view *v)
     }
 }
 
-/* What drives, if not the crank: between two moving links, and by an actuator, it is drawn on free bodies alone. */
+/* What drives, if not the crank: between two moving links, and by an actuator, it is drawn on free
+** bodies alone. */
 static void add_drive(scene *s, const view *v)
 {
     fourlink_load_info load, other;

@@ -45,13 +45,15 @@ void scene_find_polygon(const view *v, int k, scene_polygon *found);
 
 #define SCENE_NAME 40
 
-/* The name of a side as notation.h marks it, the letter of a corner; the number of the link whose vector it is. */
+/* The name of a side as notation.h marks it, the letter of a corner; the number of the link whose vector
+** it is. */
 const char *scene_name_of_side(const view *v, const scene_polygon *d, const scene_side *side,
                                char out[SCENE_NAME]);
 const char *scene_letter(const view *v, const scene_polygon *d, int corner, char out[SCENE_NAME]);
 int scene_link_of_side(const view *v, const scene_polygon *d, const scene_side *side);
 
-/* The links that are drawn as free bodies, by number from 0: all but blocks of outputs; 0: there are no more. */
+/* The links that are drawn as free bodies, by number from 0: all but blocks of outputs; 0: there are no
+** more. */
 int scene_body(const view *v, int k);
 
 /* ----------------------------------------------------------------------------------- forces, torques */
@@ -79,8 +81,8 @@ typedef struct scene_image {
     int output; /* i + 1 for a point of output i, in whose polygons it is; 0 */
 } scene_image;
 
-/* Pins with both directions, couples, weight and inertia of three links, loads, what drives; of an output the forces
-** of three pins with both directions, and weight and inertia of two links. */
+/* Pins with both directions, couples, weight and inertia of three links, loads, what drives; of an
+** output the forces of three pins with both directions, and weight and inertia of two links. */
 enum {
     SCENE_FORCES = 8 + 8 + 6 + TRACKS_LOADS + 2 + (6 + 4) * FOURLINK_MOST_GROUPS,
     SCENE_IMAGES = 3 + TRACKS_POINTS + 2 * FOURLINK_MOST_GROUPS

@@ -288,8 +288,8 @@ static void put_by_rod(tracks *t, const fourlink_state *state, int i)
     }
 }
 
-/* A point, with its velocity and acceleration, in a slot: those of the place r of the link that has it, there at present,
-** and along the slot, with Coriolis' acceleration 2 omega x v between. */
+/* A point, with its velocity and acceleration, in a slot: those of the place r of the link that has it,
+** there at present, and along the slot, with Coriolis' acceleration 2 omega x v between. */
 typedef struct in_slot {
     fourlink_vector r, v, a, slide, slide_a, coriolis;
 } in_slot;

@@ -12,8 +12,9 @@
 /* What a drawing has room for. */
 enum { TRACKS_LOADS = 42, TRACKS_POINTS = 24, TRACKS_SPRINGS = TRACKS_LOADS, TRACKS_NAME = 16 };
 
-/* The tracks of an output, behind its first.  P and Q, and D of a rocker that floats, have their velocities and
-** accelerations behind them.  P6 is the point at P of a slider or rocker with a slot, Qk that at Q of the link with one. */
+/* The tracks of an output, behind its first.  P and Q, and D of a rocker that floats, have their
+** velocities and accelerations behind them.  P6 is the point at P of a slider or rocker with a slot, Qk
+** that at Q of the link with one. */
 enum {
     OUTPUT_P,
     OUTPUT_Q = OUTPUT_P + 3,
@@ -125,7 +126,8 @@ int tracks_is_outline(const tracks *t, int number);
 /* The vector of a track; 0 if there is none. */
 fourlink_vector tracks_vector(const tracks *t, int number);
 
-/* The link with which the place of a track moves: a joint, a centre of mass, where a load acts, a pin of an output. */
+/* The link with which the place of a track moves: a joint, a centre of mass, where a load acts, a pin of
+** an output. */
 int tracks_body(const tracks *t, int number);
 
 /* The mass and so on of a link, of an output too. */

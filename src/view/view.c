@@ -262,8 +262,8 @@ text view_value_of_spot(text words)
     return rest.start ? flk_text_trim(rest) : words;
 }
 
-/* 1 if a value is one of what the rows go over, and that is no crank angle: by its unit; a bare one is one of the
-** input, as in a deck. */
+/* 1 if a value is one of what the rows go over, and that is no crank angle: by its unit; a bare one is
+** one of the input, as in a deck. */
 static int is_of_place(const view *v, text value)
 {
     text name = flk_quantity_unit_text(value), bad;

@@ -38,8 +38,8 @@ void view_take(view *v, fourlink_results *results);
 /* Take another design of the same deck, which has the same units. */
 void view_take_design(view *v, fourlink_results *results);
 
-/* Find the motion of the branches, which of a machine is integrated: this is called before anything else that follows
-** from the motion, such as rows, is asked.  0 if memory fails, which is noted. */
+/* Find the motion of the branches, which of a machine is integrated: this is called before anything else
+** that follows from the motion, such as rows, is asked.  0 if memory fails, which is noted. */
 int view_find_motion(view *v);
 
 /* The linkage that a synthesis has found, for the caller to free; null of another deck.  0: out of memory. */
@@ -72,8 +72,8 @@ int view_reopen(const fourlink_source *source, fourlink_results *opened, const c
 int view_read(const view *v, quantity q, text value, text words, double *number,
               char message[MESSAGE_SIZE]);
 
-/* A direction and a place in the axes of link 1 in those of the deck, rad, m; what a range of such directions is
-** turned by. */
+/* A direction and a place in the axes of link 1 in those of the deck, rad, m; what a range of such
+** directions is turned by. */
 double view_direction(const view *v, double angle);
 fourlink_vector view_place(const view *v, fourlink_vector place);
 double view_turn_of_range(const view *v, double from, double to);
@@ -104,10 +104,10 @@ int view_find_along(const view *v, fourlink_branch branch, int side, double plac
 int view_find_spot(const view *v, fourlink_branch branch, const view_spot *spot, double *values,
                    fourlink_instant *now, fourlink_load *loads);
 
-/* The position to show on a branch: at a spot; if that is null, that of the drawing of [pins], unless the deck
-** is one instant; or a sixth of the way through the motion, or at the row with the most acting loads, if they are more there or a dead position is near: of these rows
-** the one nearest to a sixth of the way.  If there is no such row, the first at which the linkage can be
-** assembled.  Returns a status. */
+/* The position to show on a branch: at a spot; if that is null, that of the drawing of [pins], unless
+** the deck is one instant; or a sixth of the way through the motion, or at the row with the most acting
+** loads, if they are more there or a dead position is near: of these rows the one nearest to a sixth of
+** the way.  If there is no such row, the first at which the linkage can be assembled.  Returns a status. */
 int view_find_position(const view *v, fourlink_branch branch, const view_spot *spot,
                        fourlink_instant *now, fourlink_load *loads);
 
@@ -116,12 +116,13 @@ int view_find_position(const view *v, fourlink_branch branch, const view_spot *s
 /* rad: where the transmission angle is smaller, a dead position is near, whose forces set no scale. */
 #define VIEW_NEAR 0.2
 
-/* The six equations of output i and their solution, as from fourlink_group_system: with the loads of an instant, and of
-** what drives, if that is not the crank. */
+/* The six equations of output i and their solution, as from fourlink_group_system: with the loads of an
+** instant, and of what drives, if that is not the crank. */
 int view_group_system(const view *v, const fourlink_instant *now, const fourlink_load *loads, int i,
                       double A[6][6], double b[6], double x[6]);
 
-/* Why it is shown, if no crank angle was asked for: "as drawn", "where press acts"; "" for a sixth of the way. */
+/* Why it is shown, if no crank angle was asked for: "as drawn", "where press acts"; "" for a sixth of
+** the way. */
 #define VIEW_WHY 120
 const char *view_tell_position(const view *v, const fourlink_instant *now,
                                const fourlink_load *loads, char out[VIEW_WHY]);
@@ -129,7 +130,8 @@ const char *view_tell_position(const view *v, const fourlink_instant *now,
 /* Where a row is, in the deck's unit: the crank angle, or the value of what is prescribed. */
 double view_shown_place(const view *v, const fourlink_row *row);
 
-/* 1 for a row at an end of the range, which goes to a dead centre of what is prescribed: nothing is missing there. */
+/* 1 for a row at an end of the range, which goes to a dead centre of what is prescribed: nothing is
+** missing there. */
 int view_goes_to(const view *v, int status);
 
 /* The number of rows that cannot be computed, and why, "" for none; of how many on the branches. */
@@ -145,8 +147,8 @@ int view_refuse(fourlink_mistake *mistake, const char *place, const char *why, c
 double view_value(const view *v, quantity q, double si);
 double view_si(const view *v, quantity q, double value);
 
-/* Places, of problem.over: that of a row, and the side of an input there if the rows are on both, else 0; in the unit
-** of results. */
+/* Places, of problem.over: that of a row, and the side of an input there if the rows are on both, else
+** 0; in the unit of results. */
 double view_place_of_row(const view *v, unsigned long row);
 int view_side_of_row(const view *v, unsigned long row);
 double view_over(const view *v, double place);
