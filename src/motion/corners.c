@@ -193,19 +193,32 @@ static double first_level(along *x, double from, double to, double last, double 
     return flk_find_zero(value_along, x, &b, 0);
 }
 
+/* A place just inside an end, in the sense of 1 or -1 from it: at a change point there is a row farther inside only. */
+static double place_inside(along *x, double end, double to, int sense)
+{
+    double close = 2 * FLK_CORNERS_CLOSE(to);
+
+    return end + sense * (gsl_isnan(value_along(end + sense * close, x)) ? 2 * AT_CHANGE : close);
+}
+
 double flk_corners_of_speed(const flk_corners *c, const flk_moving *m, double from, double to)
 {
-    double begin = from + 2 * FLK_CORNERS_CLOSE(to), end = to - 2 * FLK_CORNERS_CLOSE(to);
-    double first = GSL_POSINF, step, last, now, found;
+    double begin, end, first = GSL_POSINF, step, last, now, found;
     size_t n, i, j;
     along x;
 
+    if (c->n_of_speed == 0)
+        return first;
+    x.corners = c;
+    x.m = m;
+    x.s = &c->switches[c->n_switches];
+    x.level = 0;
+    begin = place_inside(&x, from, to, 1);
+    end = place_inside(&x, to, to, -1);
     if (!(begin < end))
         return first;
     n = (size_t)GSL_MAX_DBL(LEAST_STEPS, ceil((end - begin) / STEP));
     step = (end - begin) / (double)n;
-    x.corners = c;
-    x.m = m;
     for (j = c->n_switches; j < c->n_switches + c->n_of_speed; j++) {
         x.s = &c->switches[j];
         x.level = 0;

@@ -73,6 +73,8 @@ static void offer_at(const sought *k, int which, double value, double s)
 {
     flk_extreme *here = &k->b->here[which];
 
+    if (value == 0 && here->is_there && fabs(here->value) <= k->b->noise && !k->c->of.is_noise)
+        here->value = 0; /* which it was but for rounding, as beside a rope that is slack */
     if (gsl_isnan(value) || !is_better(k->b, here, which, value, CLOSE))
         return;
     if (fabs(value) >= k->c->of.bound)

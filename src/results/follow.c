@@ -290,6 +290,19 @@ int flk_followed_turns_over(const flk_followed *t, double from, double to)
 #define LOST_DEAD 1e-4   /* ... from a dead position, for a column without an exact limit; */
 #define LOST 1e-2        /* ... from a change point, for such a column */
 
+/* So much of the piece has rows for a limit.  Where all of its rows are rounding error, since a load has a corner beside a
+** change point, those beyond the corner know the limits of columns without loads. */
+static double half_of(const flk_follower *f, int at_end)
+{
+    const flk_piece *p = &f->piece;
+    double half = 0.5 * (p->to - p->from), rest = at_end ? p->from : f->motion.length - p->to;
+
+    if (is_change(at_end ? p->end : p->begin) && (at_end ? p->begin : p->end) == FLK_END_PLAIN &&
+        half < NEAR_CHANGE && rest > 10 * NEAR_CHANGE)
+        half = 5 * NEAR_CHANGE;
+    return half;
+}
+
 /* The largest scale is at most half of the piece.  No two are the same, or rounding would look like a
 ** pole. */
 void flk_limit_rows_near(const flk_follower *f, int needs, int at_end, flk_limit_rows *e)
@@ -297,7 +310,7 @@ void flk_limit_rows_near(const flk_follower *f, int needs, int at_end, flk_limit
     static const double scales[2][SCALES] = {{0.001, 0.002, 0.008, 0.02, 0.05, 0.1, 0.15, 0.2},
                                              {0.001, 0.004, 0.016, 0.04, 0.08, 0.12, 0.2, 0.3}};
     flk_piece_end end = at_end ? f->piece.end : f->piece.begin;
-    double half = 0.5 * (f->piece.to - f->piece.from);
+    double half = half_of(f, at_end);
     int scale, k;
 
     e->at_end = at_end;

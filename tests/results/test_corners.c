@@ -199,6 +199,41 @@ TEST(test_positions_by_samples)
     assert_true(n_found > 200);
 }
 
+/* A parallelogram starts at its change point, or stops at it: there is no row, and beside it the rocker, as fast as the
+** crank, passes a speed at which a load has a corner, at omega^2 / (2 alpha) from it. */
+TEST(test_speeds_beside_a_change_point)
+{
+    uint64_t seed = 17;
+    int i, starts, sense;
+
+    for (i = 0; i < 400; i++) {
+        double alpha = pow(10, uniform(&seed, -1, 3)), angle = pow(10, uniform(&seed, -4, -1.5));
+        double level, way = uniform(&seed, 20, 170) * DEG;
+        char contents[1000], motion[300];
+
+        starts = i % 2;
+        sense = i % 4 < 2 ? 1 : -1;
+        level = sense * sqrt(2 * alpha * angle);
+        if (starts)
+            sprintf(motion, "acceleration = %.17g rad/s2\nto = %.17g deg\n", sense * alpha,
+                    sense * way / DEG);
+        else
+            sprintf(motion,
+                    "speed = %.17g rad/s\nacceleration = %.17g rad/s2\nfrom = %.17g deg\nto = 0 "
+                    "deg\n",
+                    sense * sqrt(2 * alpha * way), -sense * alpha, -sense * way / DEG);
+        sprintf(contents,
+                "mechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = 30 mm\n"
+                "[coupler]\nlength = 80 mm\n[rocker]\nlength = 30 mm\n[load K]\nlink = "
+                "rocker\nover = omega4\ntorque = %.17g rad/s -3 N m, %.17g rad/s 5 N m\n"
+                "[motion]\n%s",
+                sense > 0 ? level : 2 * level, sense > 0 ? 2 * level : level, motion);
+        if (!has_end(contents, 1, (starts ? angle : way - angle) / DEG))
+            fail_msg("case %d: no piece ends %g rad beside the change point\n%s", i, angle,
+                     contents);
+    }
+}
+
 /* How far a torsional spring is from its free angle. */
 static double wound(const deck *d, fourlink_branch branch, double theta2)
 {
