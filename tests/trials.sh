@@ -17,8 +17,8 @@ list=$tests/trials.txt
 lines() { LC_ALL=C awk '/^#/ || /^ *$/ {next} /^[^ ]/ {name = $1; sub(/:$/, "", name)} '"$1" "$list"; }
 # command_of NAME WHEN: its limit in seconds and its command; a short one is that of CI, unless it has its own
 command_of() {
-    lines '/^ / && name == "'"$1"'" && ($1 == "'"$2"'" || "'"$2"'" == "short" && $1 == "ci") {
-        $1 = ""; print substr($0, 2); exit}'
+    lines '/^ / && name == "'"$1"'" {when = $1; $1 = ""; commands[when] = substr($0, 2)}
+        END {print "'"$2"'" == "short" && !("short" in commands) ? commands["ci"] : commands["'"$2"'"]}'
 }
 
 # ------------------------------------------------------------------------------------------------ check
