@@ -50,17 +50,13 @@ int flk_actuator_at(const flk_actuator *actuator, const fourlink_state *state,
     return FOURLINK_OK;
 }
 
-/* Add a force at a point of a link, in the frame of link 1. */
+/* Add a force at a point of a moving link, in the frame of link 1. */
 static void add_force(int link, const fourlink_vector *at, double Fx, double Fy, flk_unit_drive *u)
 {
     fourlink_load *load = &u->load[u->n_loads];
 
-    if (link == FOURLINK_GROUND) {
-        u->ground.x += Fx;
-        u->ground.y += Fy;
-        u->ground_moment += at->x * Fy - at->y * Fx;
+    if (link == FOURLINK_GROUND)
         return;
-    }
     memset(load, 0, sizeof *load);
     load->link = link;
     load->at = *at;
@@ -104,7 +100,6 @@ static void push_output(const flk_drive *drive, const fourlink_state *state, flk
 
     if (!drive->is_torque) {
         add_force(drive->link, &origin, end->axis.x, end->axis.y, u);
-        add_force(FOURLINK_GROUND, &end->origin, -end->axis.x, -end->axis.y, u);
         return;
     }
     add_force(drive->link, &origin, 0, 0, u);
@@ -112,8 +107,6 @@ static void push_output(const flk_drive *drive, const fourlink_state *state, flk
     if (drive->to > FOURLINK_GROUND) {
         add_force(drive->to, &origin, 0, 0, u);
         u->load[1].torque = -1;
-    } else {
-        u->ground_moment = -1;
     }
 }
 
@@ -144,22 +137,17 @@ int flk_drive_unit(const flk_drive *drive, const fourlink_mechanism *mechanism,
                    const fourlink_state *state, flk_unit_drive *u)
 {
     static const fourlink_vector origin = {0, 0};
-    const fourlink_vector *C = &state->link[FOURLINK_FOLLOWER].origin;
     double length = mechanism->design.link[FOURLINK_CRANK].length;
     int status = FOURLINK_OK;
 
     u->n_loads = 0;
-    u->ground = origin;
-    u->ground_moment = 0;
     switch (drive->sort) {
     case FLK_DRIVE_TORQUE:
         add_force(FOURLINK_FOLLOWER, &origin, 0, 0, u);
         u->load[0].torque = 1;
-        u->ground_moment = -1;
         break;
     case FLK_DRIVE_ALONG:
         add_force(FOURLINK_FOLLOWER, &origin, 1, 0, u);
-        add_force(FOURLINK_GROUND, C, -1, 0, u);
         break;
     case FLK_DRIVE_SLIDE:
         push_slider(state, u);

@@ -51,13 +51,11 @@ struct flk_drive {
     fourlink_load load;
 };
 
-/* The loads of a drive with the effort 1, at most two, and their force on the ground. */
+/* The loads of a drive with the effort 1, at most two: none on the ground. */
 typedef struct flk_unit_drive {
     fourlink_load load[2];
     int n_loads;
-    fourlink_vector ground; /* 1 */
-    double ground_moment;   /* m, or 1 */
-    double K;               /* m, or 1: power at unit crank speed */
+    double K; /* m, or 1: power at unit crank speed */
 } flk_unit_drive;
 
 /* FOURLINK_OK, FOURLINK_NO_DIRECTION, or FOURLINK_INPUT_DEAD_CENTRE where K is 0. */

@@ -24,8 +24,6 @@ typedef struct flk_acting {
     double held_speed;          /* rad/s, a crank speed in the held piece of the motor's curve */
     int sense;                  /* 1 or -1: the crank turns, or starts, in this sense */
     fourlink_load *load;        /* array of the machine's n_loads */
-    fourlink_vector ground;     /* N, their forces on the frame, */
-    double ground_moment;       /* N m, with the moment about A */
     double
         gas_force; /* N, of the gas on the piston, towards the crank; on a rod, along the slide */
 } flk_acting;
@@ -37,7 +35,7 @@ typedef struct flk_switch flk_switch;
 
 /* A type of element.
 **
-**    act         sets the element's loads for a state and adds their force on the frame; returns a status
+**    act         sets the element's loads for a state; returns a status
 **    switches    lists where it is not smooth (switch.h) and returns their number; null: it is smooth
 **    switching   changes sign where the element begins or stops acting; null: it always acts */
 typedef struct flk_element_type {

@@ -46,15 +46,6 @@ void flk_gas_in_cylinder(const flk_gas *gas, const fourlink_state *state, double
     at->pressure = pressure_of(gas, state->link[FOURLINK_CRANK].theta, within);
 }
 
-/* The gas acts on the piston, and on the cylinder head along the line of stroke y = offset. */
-static void act_on_piston(double side, double force, double offset, fourlink_load *load,
-                          flk_acting *acting)
-{
-    load->force.x = -side * force;
-    acting->ground.x += side * force;
-    acting->ground_moment -= offset * (side * force);
-}
-
 /* p A u on the rod, -p A u on the cylinder, both along the slide: on the rod at B, on the cylinder at the
 ** point of the slide beside D, or at C. */
 static void act_in_cylinder(const fourlink_design *design, double force, fourlink_load load[2])
@@ -73,7 +64,6 @@ static void act_in_cylinder(const fourlink_design *design, double force, fourlin
 static int apply_gas(const flk_element *element, const flk_machine *machine,
                      const fourlink_state *state, fourlink_load *load, flk_acting *acting)
 {
-    const fourlink_design *design = &machine->mechanism.design;
     int i;
 
     for (i = 0; i < element->n_loads; i++) {
@@ -83,9 +73,9 @@ static int apply_gas(const flk_element *element, const flk_machine *machine,
     acting->gas_force = force_of(element->data, state->link[FOURLINK_CRANK].theta,
                                  (acting->held ? acting->held : state)->link[FOURLINK_CRANK].theta);
     if (element->n_loads == 1)
-        act_on_piston((double)state->branch, acting->gas_force, design->offset, load, acting);
+        load->force.x = -(double)state->branch * acting->gas_force;
     else
-        act_in_cylinder(design, acting->gas_force, load);
+        act_in_cylinder(&machine->mechanism.design, acting->gas_force, load);
     return FOURLINK_OK;
 }
 

@@ -80,8 +80,4 @@ void flk_groups_forces(const fourlink_mechanism *mechanism, const fourlink_state
                        const fourlink_load *loads, unsigned long n_loads, double effort,
                        int closed_form, flk_group_forces *list);
 
-/* The force and the moment about A that the groups exert on the ground. */
-void flk_groups_shake(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                      const flk_group_forces *list, fourlink_vector *force, double *moment);
-
 #endif

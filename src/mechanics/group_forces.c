@@ -309,22 +309,6 @@ void flk_groups_forces(const fourlink_mechanism *mechanism, const fourlink_state
     cut_all(mechanism, state, loads, n_loads, effort, closed_form, all, list);
 }
 
-void flk_groups_shake(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                      const flk_group_forces *list, fourlink_vector *force, double *moment)
-{
-    int i;
-
-    for (i = 0; i < mechanism->design.n_groups; i++) {
-        const fourlink_vector *at = &state->link[FOURLINK_END_OF(i)].origin;
-
-        if (mechanism->design.group[i].to > FOURLINK_GROUND)
-            continue;
-        force->x -= list[i].FD.x;
-        force->y -= list[i].FD.y;
-        *moment -= list[i].M + FLK_CROSS(*at, list[i].FD);
-    }
-}
-
 /* ------------------------------------------------------------------------------------------- equations */
 
 const char *fourlink_group_unknown_text(const fourlink_group *group, int i)

@@ -16,7 +16,6 @@
 #include <gsl/gsl_math.h>
 
 #include "base/solve.h"
-#include "drive.h"
 #include "inertia.h"
 #include "kind.h"
 #include "friction.h"
@@ -24,8 +23,6 @@
 #include "machine.h"
 
 #define STEPS 60 /* of the secant */
-
-enum { ON_D = 4, ON_A = 5 }; /* indices of loads in fourlink_losses */
 
 void flk_machine_finish(flk_machine *m)
 {
@@ -83,7 +80,7 @@ static void begin(const flk_machine *m, double omega2, flk_acting *acting)
 
     omega2 = acting->held ? acting->held->link[FOURLINK_CRANK].omega : omega2;
     acting->sense = flk_friction_sense(omega2, &m->friction);
-    acting->ground.x = acting->ground.y = acting->ground_moment = acting->gas_force = 0;
+    acting->gas_force = 0;
     for (i = m->first_friction; i < m->n_loads; i++)
         clear_load(&acting->load[i], flk_friction_link(kind, i - m->first_friction));
 }
@@ -125,28 +122,6 @@ static int set_loads(const flk_machine *m, const fourlink_state *state, double o
     return status;
 }
 
-/* Friction in a pin on the ground also acts on the ground, opposite to the link. */
-static void take_friction(const flk_machine *m, const fourlink_losses *losses, flk_acting *acting)
-{
-    memcpy(acting->load + m->first_friction, losses->load, losses->n_loads * sizeof *losses->load);
-    acting->ground_moment -= losses->load[ON_A].torque;
-    acting->ground_moment -= losses->load[ON_D].torque;
-}
-
-/* A drive on the ground also acts on the ground, opposite to its load. */
-static void take_drive(const flk_machine *m, const fourlink_state *state,
-                       const fourlink_forces *forces, flk_acting *acting)
-{
-    flk_unit_drive drive;
-
-    if (!m->mechanism.drive ||
-        flk_drive_unit(m->mechanism.drive, &m->mechanism, state, &drive) != FOURLINK_OK)
-        return;
-    acting->ground.x += forces->drive * drive.ground.x;
-    acting->ground.y += forces->drive * drive.ground.y;
-    acting->ground_moment += forces->drive * drive.ground_moment;
-}
-
 int flk_machine_forces(const flk_machine *m, const fourlink_state *state, int closed_form,
                        flk_acting *acting, fourlink_forces *forces, fourlink_losses *losses)
 {
@@ -161,15 +136,13 @@ int flk_machine_forces(const flk_machine *m, const fourlink_state *state, int cl
                                     &m->friction, closed_form, forces, losses);
         if (status != FOURLINK_OK)
             return status;
-        take_friction(m, losses, acting);
-        take_drive(m, state, forces, acting);
+        memcpy(acting->load + m->first_friction, losses->load,
+               losses->n_loads * sizeof *losses->load);
         return FOURLINK_OK;
     }
     status = closed_form ? fourlink_solve_dyad(mechanism, state, acting->load, m->n_loads, forces)
                          : fourlink_solve(mechanism, state, acting->load, m->n_loads, forces);
     memset(losses, 0, sizeof *losses);
-    if (status == FOURLINK_OK)
-        take_drive(m, state, forces, acting);
     losses->Ts0 = forces->at_crank;
     losses->efficiency = 1;
     return status;

@@ -270,9 +270,6 @@ static int apply_spring(const flk_element *element, const flk_machine *machine,
         return status;
     for (i = 0; i < element->n_loads; i++)
         load[i] = at.load[i];
-    acting->ground.x += at.ground.x;
-    acting->ground.y += at.ground.y;
-    acting->ground_moment += at.ground_moment;
     return FOURLINK_OK;
 }
 

@@ -11,6 +11,7 @@
 #include <gsl/gsl_math.h>
 
 #include "base/trig.h"
+#include "mechanics/drive.h"
 #include "mechanics/friction.h"
 #include "mechanics/kind.h"
 #include "mechanics/mechanism.h"
@@ -173,35 +174,80 @@ static flk_offset_force inertia_of(const fourlink_link *link, const fourlink_lin
     return F;
 }
 
-/* Shaking force and moment: all that the machine exerts on the frame, at the pins and at the guide by
-** Newton's third law, and through its elements, such as the gas on the cylinder head,
-**
-**    Fs = F21 + F41 + P = -(F12 + F14) + P,   Ms = -(AD x F14) - Ts - M14 + M_P
-**
-** the moment about A.  The friction of a guide is F14x.  An Fs that is only the rounding error
-** of its parts becomes 0. */
-static void find_shaking(const fourlink_state *state, const fourlink_forces *f,
-                         const flk_acting *acting, flk_derived *e)
+/* Add a force and a moment that act on a link, the force at the place r from its origin. */
+static void add_to_shaking(const fourlink_link_state *link, fourlink_vector r, fourlink_vector F,
+                           double moment, flk_derived *e)
 {
-    const fourlink_vector *D = &state->link[4].origin;
-    double parts =
-        flk_length(f->F12x, f->F12y) + flk_length(f->F14x, f->F14y) + fabs(acting->gas_force);
+    r.x += link->origin.x;
+    r.y += link->origin.y;
+    e->Fsx += F.x;
+    e->Fsy += F.y;
+    e->Ms += FLK_CROSS(r, F) + moment;
+}
 
-    e->Fsx = -f->F12x - f->F14x + acting->ground.x;
-    e->Fsy = -f->F12y - f->F14y + acting->ground.y;
-    e->Ms = -f->Ts - f->M14 - (D->x * f->F14y - D->y * f->F14x) + acting->ground_moment;
+/* Add a load of the deck, with a factor; returns its size. */
+static double add_load_to_shaking(const fourlink_state *state, const fourlink_load *load,
+                                  double factor, flk_derived *e)
+{
+    const fourlink_link_state *link = &state->link[load->link];
+    fourlink_vector r, F, k;
+
+    FLK_PLACE_LOAD(load, link, r, F, k);
+    (void)k;
+    F.x *= factor;
+    F.y *= factor;
+    add_to_shaking(link, r, F, factor * load->torque, e);
+    return flk_length(F.x, F.y);
+}
+
+/* Shaking force and moment about A: all that the machine exerts on the frame, at the pins and at the guide by
+** Newton's third law, and through its elements, such as the gas on the cylinder head.  By d'Alembert's principle
+** it is what acts on the moving links from outside, weights W and loads F_P of the deck, less what their momentum takes up,
+**
+**    Fs = sum (W - m a_G) + sum F_P
+**    Ms = sum (AG x (W - m a_G) - I alpha) + sum (AP x F_P + T)
+**
+** Forces of pins, springs, gas, friction and drives are between links, or a link and the frame, and cancel: beside a
+** dead position they grow beyond all bounds, and the sum of F21, F41 and the others would have their rounding error.  An Fs
+** that is only the rounding error of its parts becomes 0. */
+static void find_shaking(const flk_machine *machine, const fourlink_state *state,
+                         const fourlink_forces *f, const flk_acting *acting,
+                         const fourlink_body *body, flk_derived *e)
+{
+    const fourlink_mechanism *mechanism = &machine->mechanism;
+    const flk_drive *drive = mechanism->drive;
+    double parts = 0;
+    size_t k;
+    int i;
+
+    e->Fsx = e->Fsy = e->Ms = 0;
+    for (i = FOURLINK_CRANK; i <= FLK_LAST_LINK(mechanism); i++) {
+        const fourlink_link *data = FLK_LINK(mechanism, i);
+        fourlink_vector F;
+
+        F.x = body[i].weight.x - data->mass * body[i].acceleration.x;
+        F.y = body[i].weight.y - data->mass * body[i].acceleration.y;
+        add_to_shaking(&state->link[i], body[i].arm, F, -data->inertia * state->link[i].alpha, e);
+        parts += flk_length(F.x, F.y);
+    }
+    for (k = 0; k < machine->n_elements; k++)
+        if (machine->element[k].type == &flk_given_load_type)
+            parts += add_load_to_shaking(state, &acting->load[machine->element[k].first], 1, e);
+    if (drive && drive->sort == FLK_DRIVE_LOAD)
+        parts += add_load_to_shaking(state, &drive->load, f->drive, e);
     if (flk_length(e->Fsx, e->Fsy) <= ROUNDING * parts)
         e->Fsx = e->Fsy = 0;
 }
 
-void flk_derive_from_forces(const fourlink_mechanism *mechanism, const fourlink_state *state,
+void flk_derive_from_forces(const flk_machine *machine, const fourlink_state *state,
                             const fourlink_forces *f, const flk_acting *acting, flk_derived *e)
 {
+    const fourlink_mechanism *mechanism = &machine->mechanism;
     fourlink_body body[FOURLINK_LINKS];
     int i;
 
     fourlink_bodies(mechanism, state, NULL, 0, body);
-    find_shaking(state, f, acting, e);
+    find_shaking(machine, state, f, acting, body, e);
     e->F12 = in_axes(f->F12x, f->F12y, &state->link[2]);
     e->F32 = in_axes(-f->F23x, -f->F23y, &state->link[2]);
     e->F23 = in_axes(f->F23x, f->F23y, &state->link[3]);
@@ -375,15 +421,13 @@ double flk_analysis_mean_speed(const flk_analysis *a, fourlink_branch branch)
     return actual ? actual->mean_speed : a->d->motion.speed;
 }
 
-/* The forces in the outputs, and what these exert on the ground. */
+/* The forces in the outputs. */
 static void find_group_forces(flk_analysis *a, int closed_form, flk_row *row)
 {
     const fourlink_mechanism *mechanism = &a->d->machine.mechanism;
 
     flk_groups_forces(mechanism, &row->at.state, a->acting.load, a->d->machine.n_loads,
                       mechanism->drive ? row->at.forces.drive : 0, closed_form, row->group);
-    flk_groups_shake(mechanism, &row->at.state, row->group, &a->acting.ground,
-                     &a->acting.ground_moment);
 }
 
 /* In a dead position of the crank, what is prescribed gives the motion.  What is derived from an engine's motion follows from
@@ -454,7 +498,7 @@ static int derive(flk_analysis *a, int needs, int forces, const fourlink_crank *
     if (needs & NEED_BALANCE)
         flk_derive_primary(mechanism, &at->state, a->d->balance.reciprocating, derived);
     if ((needs & NEED_DERIVED) && forces)
-        flk_derive_from_forces(mechanism, &at->state, &at->forces, &a->acting, derived);
+        flk_derive_from_forces(&a->d->machine, &at->state, &at->forces, &a->acting, derived);
     if (needs & NEED_SUPERPOSITION)
         return flk_derive_superposition(
             mechanism, &at->state, a->acting.load, a->d->machine.n_loads,

@@ -50,8 +50,8 @@ double flk_derive_freudenstein(const fourlink_design *design);
 void flk_derive_from_motion(const fourlink_mechanism *mechanism, const fourlink_state *state,
                             flk_derived *e);
 
-/* The part that follows from the forces, and from those of the elements on the frame. */
-void flk_derive_from_forces(const fourlink_mechanism *mechanism, const fourlink_state *state,
+/* The part that follows from the forces, and from the loads of the elements. */
+void flk_derive_from_forces(const flk_machine *machine, const fourlink_state *state,
                             const fourlink_forces *forces, const flk_acting *acting,
                             flk_derived *e);
 

@@ -362,17 +362,16 @@ static double best_of(unsigned long c, int sign)
     return sign * best;
 }
 
-/* Columns whose extremes the rows do not tell: angles, which go on over whole turns; rounding error, and shaking forces beside
-** a lock, which are the difference of forces without bound, and parts of Ts; lengths of Klein's construction, which jump where the crank
-** is square to the line of stroke. */
+/* Columns whose extremes the rows do not tell: angles, which go on over whole turns; rounding error; parts of Ts beside a
+** lock, which are the difference of torques without bound; lengths of Klein's construction, which jump where the crank is
+** square to the line of stroke. */
 static int is_left_out(unsigned long c)
 {
     const char *name = columns[c].name;
 
     return (columns[c].flags & (FOURLINK_OF_ROUNDING | FOURLINK_CRANK_ANGLE)) ||
            strcmp(columns[c].quantity, "angle") == 0 || strncmp(name, "klein", 5) == 0 ||
-           (problem.has_friction && (strncmp(name, "Fs", 2) == 0 || strcmp(name, "Ms") == 0 ||
-                                     strncmp(name, "Ts_", 3) == 0));
+           (problem.has_friction && strncmp(name, "Ts_", 3) == 0);
 }
 
 /* 1 if the row at some passing of the crank angle that is told has the value that is told. */
