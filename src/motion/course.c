@@ -533,25 +533,21 @@ int flk_course_stops(const flk_course *c, fourlink_branch branch)
     return f && f->status == FOURLINK_TOO_LONG;
 }
 
-static int speed_repeats(const flk_course *c)
+int flk_course_repeats(const flk_course *c)
 {
     const fourlink_motion *motion = &c->d->motion;
 
     if (c->actual || c->d->program || c->d->prescribed)
         return c->d->mode.kind == MODE_STEADY;
-    return motion->run_up <= 0 && !c->range.stops && (motion->acceleration == 0 || motion->hold);
-}
-
-int flk_course_repeats(const flk_course *c)
-{
-    return !c->winds && speed_repeats(c);
+    return !c->winds && motion->run_up <= 0 && !c->range.stops &&
+           (motion->acceleration == 0 || motion->hold);
 }
 
 int flk_course_is_periodic(const flk_course *c)
 {
     const fourlink_mechanism *mechanism = &c->d->machine.mechanism;
 
-    return c->d->one_revolution && speed_repeats(c) &&
+    return c->d->one_revolution && flk_course_repeats(c) &&
            mechanism->change_stretched == mechanism->change_folded;
 }
 

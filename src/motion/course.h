@@ -35,7 +35,7 @@ void flk_course_close(flk_course *course);
 /* 1 if the actual motion of a branch took too many steps: its facts depend on where the budget ended. */
 int flk_course_stops(const flk_course *course, fourlink_branch branch);
 
-/* 1 if speed, acceleration and loads are the same in every period. */
+/* 1 if speed and acceleration are the same in every period. */
 int flk_course_repeats(const flk_course *course);
 
 /* 1 if the motion is one revolution that ends at its initial position and speed. */

@@ -586,7 +586,7 @@ static void search_crossings(crossings *k)
         search_piece(k, &before);
     /* a revolution ends with its first row */
     if (k->n > 1 && k->first < SAME && k->last > k->x.f.motion.length - SAME &&
-        flk_course_is_periodic(&k->x.f.a->course) && flk_course_repeats(&k->x.f.a->course))
+        flk_course_is_periodic(&k->x.f.a->course))
         k->n--;
 }
 

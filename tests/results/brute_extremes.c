@@ -916,15 +916,20 @@ static unsigned long column_named(const char *name)
     return c;
 }
 
-/* NaN: none is given. */
-static double stiffness_of(unsigned long c)
+/* 1 if the load of the spring whose angle column c is depends on its turns. */
+static int feels_turns(unsigned long c)
 {
-    char name[200];
-    fourlink_value found;
+    size_t size = (size_t)(strstr(columns[c].name, ".angle") - columns[c].name);
+    fourlink_spring spring;
+    const char *name;
+    unsigned long i;
 
-    snprintf(name, sizeof name, "spring %.*s.stiffness",
-             (int)(strstr(columns[c].name, ".angle") - columns[c].name), columns[c].name);
-    return fourlink_results_input(results, name, &found) == FOURLINK_OK ? found.value : NAN;
+    for (i = 0;
+         fourlink_deck_spring(fourlink_results_deck(results), i, &name, &spring) == FOURLINK_OK;
+         i++)
+        if (strlen(name) == size && !strncmp(name, columns[c].name, size))
+            return spring.stiffness != 0 || spring.only;
+    return 0;
 }
 
 /* 1 if a torsional spring is wound up by the motion: nothing repeats. */
@@ -939,7 +944,7 @@ static int is_wound(void)
         if (fourlink_results_at(results, branches[i], from, first, NULL, NULL) == FOURLINK_OK &&
             fourlink_results_at(results, branches[i], end, last, NULL, NULL) == FOURLINK_OK)
             for (c = 0; c < n_columns; c++)
-                winds |= counts_turns(c) && fabs(stiffness_of(c)) > 0 &&
+                winds |= counts_turns(c) && feels_turns(c) &&
                          fabs(last[c] - first[c]) * columns[c].to_si > 1;
     return winds;
 }
