@@ -58,11 +58,15 @@ static double value_of_spring(const flk_column *c, const flk_row *row)
                                : at.power;
 }
 
-/* How far an end of a spring is from A and how fast it is, added to d and u; of a torsional one half a
-** turn, and how fast the link turns. */
-static void add_end(const fourlink_spring *spring, const fourlink_state *state, int link,
-                    const fourlink_vector *at, double *d, double *u)
+/* How far an end of a spring is from A and how fast it is, added to d and u; of a torsional one half a turn, and how
+** fast the link turns.  Links 3 and 4 are placed and moved by the crank: where they stand still, that is the
+** difference of such speeds. */
+static void add_end(const fourlink_spring *spring, const fourlink_mechanism *mechanism,
+                    const fourlink_state *state, int link, const fourlink_vector *at, double *d,
+                    double *u)
 {
+    double crank = mechanism->design.link[FOURLINK_CRANK].length;
+    double speed = fabs(state->link[FOURLINK_CRANK].omega);
     fourlink_vector P = *at, v = {0, 0};
 
     if (link != FOURLINK_GROUND)
@@ -71,20 +75,25 @@ static void add_end(const fourlink_spring *spring, const fourlink_state *state, 
     *u += !spring->is_torsional     ? flk_length(v.x, v.y)
           : link == FOURLINK_GROUND ? 0
                                     : fabs(state->link[link].omega);
+    if (link > FOURLINK_CRANK) {
+        *d += spring->is_torsional ? 0 : crank;
+        *u += spring->is_torsional ? speed : speed * crank;
+    }
 }
 
 /* The rounding error of a spring follows from that of d and u: those of the force are k d and c u, of
 ** the energy F d, and of the power that of the force times u. */
 static double size_of_spring(const flk_column *c, const flk_row *row)
 {
+    const fourlink_mechanism *mechanism = &c->d->machine.mechanism;
     const fourlink_spring *spring = c->of.spring;
     fourlink_spring_state at;
     double d = 0, u = 0, force;
 
-    add_end(spring, &row->at.state, spring->link, &spring->at, &d, &u);
-    add_end(spring, &row->at.state, spring->to, &spring->to_at, &d, &u);
+    add_end(spring, mechanism, &row->at.state, spring->link, &spring->at, &d, &u);
+    add_end(spring, mechanism, &row->at.state, spring->to, &spring->to_at, &d, &u);
     force = fabs(spring->stiffness) * d + fabs(spring->preload) + spring->damping * u;
-    if (fourlink_spring_at(&c->d->machine.mechanism, &row->at.state, spring, &at) != FOURLINK_OK)
+    if (fourlink_spring_at(mechanism, &row->at.state, spring, &at) != FOURLINK_OK)
         return force;
     at.force = spring->stiffness * (at.length - spring->free_length) + spring->preload;
     return c->component == 0   ? d
