@@ -167,10 +167,10 @@ TEST(test_sum_of_reactions)
 
         draw(&x);
         D = &x.state.link[4].origin;
-        Fx = -x.forces.F12x - x.forces.F14x + x.branch * x.gas;
+        Fx = -x.forces.F12x - x.forces.F14x + (double)x.branch * x.gas;
         Fy = -x.forces.F12y - x.forces.F14y;
         moment = -x.forces.Ts - x.forces.M14 - (D->x * x.forces.F14y - D->y * x.forces.F14x) -
-                 x.m.design.offset * x.branch * x.gas;
+                 x.m.design.offset * (double)x.branch * x.gas;
         scale += hypot(x.forces.F12x, x.forces.F12y) + hypot(x.forces.F14x, x.forces.F14y) +
                  fabs(x.forces.Ts) + fabs(x.forces.M14);
         for (i = 2; i <= 4; i++)
@@ -215,7 +215,7 @@ TEST(test_shaking_beside_a_dead_position)
             fourlink_analyse(&x.m, x.branch, &x.crank, x.loads, 1, &x.state, &x.forces),
             FOURLINK_OK);
         derive_from_forces(&x, 0);
-        x_C = r * cos(at) + x.branch * sqrt((l - r * sin(at)) * (l + r * sin(at)));
+        x_C = r * cos(at) + (double)x.branch * sqrt((l - r * sin(at)) * (l + r * sin(at)));
         size = x.m.design.link[4].mass * r * 10 + 20;
         worst = fmax(worst, fabs(x.e.Ms - x.m.design.link[4].mass * x_C * x.m.design.gravity.y -
                                  x.loads[0].torque) /
