@@ -58,48 +58,58 @@ static double value_of_spring(const flk_column *c, const flk_row *row)
                                : at.power;
 }
 
-/* How far an end of a spring is from A and how fast it is, added to d and u; of a torsional one half a turn, and how
-** fast the link turns.  Links 3 and 4 are placed and moved by the crank: where they stand still, that is the
-** difference of such speeds. */
-static void add_end(const fourlink_spring *spring, const fourlink_mechanism *mechanism,
-                    const fourlink_state *state, int link, const fourlink_vector *at, double *d,
-                    double *u)
+/* How far an end of a spring is from A, and how fast it is, added to d and u.  Links 3 and 4 are placed and moved by
+** the crank: where they stand still, that is the difference of speeds such as the crank pin's. */
+static void add_end(const fourlink_mechanism *mechanism, const fourlink_state *state, int link,
+                    const fourlink_vector *at, double *d, double *u)
 {
-    double crank = mechanism->design.link[FOURLINK_CRANK].length;
-    double speed = fabs(state->link[FOURLINK_CRANK].omega);
+    double r = mechanism->design.link[FOURLINK_CRANK].length;
     fourlink_vector P = *at, v = {0, 0};
 
     if (link != FOURLINK_GROUND)
         fourlink_point(state, link, at, &P, &v, NULL);
-    *d += spring->is_torsional ? M_PI : flk_length(P.x, P.y);
-    *u += !spring->is_torsional     ? flk_length(v.x, v.y)
-          : link == FOURLINK_GROUND ? 0
-                                    : fabs(state->link[link].omega);
+    *d += flk_length(P.x, P.y);
+    *u += flk_length(v.x, v.y);
     if (link > FOURLINK_CRANK) {
-        *d += spring->is_torsional ? 0 : crank;
-        *u += spring->is_torsional ? speed : speed * crank;
+        *d += r;
+        *u += r * fabs(state->link[FOURLINK_CRANK].omega);
     }
 }
 
-/* The rounding error of a spring follows from that of d and u: those of the force are k d and c u, of
-** the energy F d, and of the power that of the force times u. */
+/* The same of a torsional spring: half a turn, and how fast the link turns. */
+static void add_turning(const fourlink_state *state, int link, double *d, double *u)
+{
+    *d += M_PI;
+    if (link != FOURLINK_GROUND)
+        *u += fabs(state->link[link].omega);
+    if (link > FOURLINK_CRANK)
+        *u += fabs(state->link[FOURLINK_CRANK].omega);
+}
+
+/* The rounding error of a spring follows from that of d and u: those of the force are k d and c u, of the
+** energy F d with the force F of the spring without its damper, and of the power that of the force times u. */
 static double size_of_spring(const flk_column *c, const flk_row *row)
 {
     const fourlink_mechanism *mechanism = &c->d->machine.mechanism;
+    const fourlink_state *state = &row->at.state;
     const fourlink_spring *spring = c->of.spring;
+    double d = 0, u = 0, F = 0, size[FLK_ELEMENT_COLUMNS];
     fourlink_spring_state at;
-    double d = 0, u = 0, force;
 
-    add_end(spring, mechanism, &row->at.state, spring->link, &spring->at, &d, &u);
-    add_end(spring, mechanism, &row->at.state, spring->to, &spring->to_at, &d, &u);
-    force = fabs(spring->stiffness) * d + fabs(spring->preload) + spring->damping * u;
-    if (fourlink_spring_at(mechanism, &row->at.state, spring, &at) != FOURLINK_OK)
-        return force;
-    at.force = spring->stiffness * (at.length - spring->free_length) + spring->preload;
-    return c->component == 0   ? d
-           : c->component == 1 ? force
-           : c->component == 2 ? fabs(at.force) * d
-                               : force * u;
+    if (spring->is_torsional) {
+        add_turning(state, spring->link, &d, &u);
+        add_turning(state, spring->to, &d, &u);
+    } else {
+        add_end(mechanism, state, spring->link, &spring->at, &d, &u);
+        add_end(mechanism, state, spring->to, &spring->to_at, &d, &u);
+    }
+    if (fourlink_spring_at(mechanism, state, spring, &at) == FOURLINK_OK)
+        F = spring->stiffness * (at.length - spring->free_length) + spring->preload;
+    size[0] = d;
+    size[1] = fabs(spring->stiffness) * d + fabs(spring->preload) + spring->damping * u;
+    size[2] = fabs(F) * d;
+    size[3] = size[1] * u;
+    return size[c->component];
 }
 
 const flk_column_source flk_spring_columns = {

@@ -105,7 +105,7 @@ typedef struct flk_limit_rows {
     int at_end, is_root, is_change, is_lock;
     int least_order, greatest_order; /* of the poles of columns there */
     double edge;                     /* rad passed at the end */
-    double half;                     /* rad, of the piece */
+    double half; /* rad: so much of the piece has rows here, as a rule its half */
     double x[FLK_LIMIT_SCALES][FLK_LIMIT_NODES];
     flk_row row[FLK_LIMIT_SCALES][FLK_LIMIT_NODES];
 } flk_limit_rows;

@@ -118,28 +118,72 @@ TEST(test_positions)
     check_end(contents, 360 - 77); /* rad passed, clockwise */
 }
 
-#define SAMPLES 2880 /* of two turns */
+#define SAMPLES 2880 /* of two turns, or three */
 
-/* By how much theta4 is beyond a level, in (-pi, pi]; NaN where there is no position. */
-static double beyond(const fourlink_mechanism *m, fourlink_branch branch, double theta2,
-                     double level)
+/* By how much a variable of the open branch is beyond a level. */
+typedef double variable(const deck *d, double theta2, double level);
+
+/* theta4, in (-pi, pi]; NaN where there is no position. */
+static double beyond(const deck *d, double theta2, double level)
 {
     fourlink_state state;
 
-    if (fourlink_position(m, branch, theta2, &state) != FOURLINK_OK)
+    if (fourlink_position(&d->machine.mechanism, FOURLINK_OPEN, theta2, &state) != FOURLINK_OK)
         return NAN;
     return remainder(state.link[FOURLINK_FOLLOWER].theta - level, 2 * PI);
 }
 
-/* Each place at which theta4 passes a point of a curve, by bisection between samples, is the end of a piece: of either
-** sense, over two turns, which differ where there is one change point. */
+/* The angle of the first spring, which counts turns. */
+static double wound(const deck *d, double theta2, double level)
+{
+    const flk_element *spring = flk_machine_find(&d->machine, &flk_spring_type, 0);
+    const fourlink_mechanism *m = &d->machine.mechanism;
+    fourlink_spring_state at;
+    fourlink_state state;
+
+    assert_int_equal(fourlink_position(m, FOURLINK_OPEN, theta2, &state), FOURLINK_OK);
+    assert_int_equal(fourlink_spring_at(m, &state, spring->data, &at), FOURLINK_OK);
+    return at.length - level;
+}
+
+/* Each place at which it passes a level, by bisection between samples of a motion that turns the crank by `way`, is the
+** end of a piece.  Returns how many there are. */
+static int check_passes(variable *f, const deck *d, double level, double from, int turn, double way,
+                        const char *contents)
+{
+    int n_found = 0, j, k;
+    flk_piece list[MOST];
+    size_t n = list_pieces(contents, 1, list);
+
+    for (k = 0; k + 1 < SAMPLES; k++) {
+        double low = way * (k + 0.31) / SAMPLES, high = low + way / SAMPLES;
+        double before = f(d, from + turn * low, level), behind = f(d, from + turn * high, level);
+
+        if (!(before * behind < 0) || fabs(before - behind) > 1)
+            continue;
+        for (j = 0; j < 60; j++) {
+            double middle = (low + high) / 2;
+
+            if (before * f(d, from + turn * middle, level) > 0)
+                low = middle;
+            else
+                high = middle;
+        }
+        n_found++;
+        if (!find_end(list, n, low / DEG))
+            fail_msg("no piece ends at %.12g deg\n%s", low / DEG, contents);
+    }
+    return n_found;
+}
+
+/* theta4 passes points of a curve, in either sense, over two turns, which differ where there is one change point. */
 TEST(test_positions_by_samples)
 {
     static const double levels[] = {100, 120, 155, 99.97, 120.03}; /* of two loads */
     static const char second[] =
         "[load L]\nlink = crank\nover = theta4\ntorque = 99.97 deg 1 N m, 120.03 deg 2 N m\n";
     uint64_t seed = 8;
-    int number, turn, n_found = 0, k;
+    int number, turn, n_found = 0;
     size_t i, n_levels;
 
     for (number = 0; number < 60; number++) {
@@ -147,8 +191,6 @@ TEST(test_positions_by_samples)
                ground = uniform(&seed, 70, 100), rocker;
         double from = uniform(&seed, -200, 200) * DEG;
         char contents[1000];
-        flk_piece list[MOST];
-        size_t n;
         deck d;
 
         /* crank + ground = coupler + rocker: a change point at 180 deg */
@@ -167,33 +209,9 @@ TEST(test_positions_by_samples)
                 "%.17g deg\n",
                 ground, crank, coupler, rocker, n_levels > 3 ? second : "", turn, from / DEG,
                 from / DEG + turn * 719);
-        n = list_pieces(contents, 1, list);
         read_deck(contents, &d);
         for (i = 0; i < n_levels; i++)
-            for (k = 0; k + 1 < SAMPLES; k++) {
-                double low = 719 * DEG * (k + 0.31) / SAMPLES, high = low + 719 * DEG / SAMPLES,
-                       middle, before, behind;
-                int j;
-
-                before =
-                    beyond(&d.machine.mechanism, FOURLINK_OPEN, from + turn * low, levels[i] * DEG);
-                behind = beyond(&d.machine.mechanism, FOURLINK_OPEN, from + turn * high,
-                                levels[i] * DEG);
-                if (!(before * behind < 0) || fabs(before - behind) > 1)
-                    continue;
-                for (j = 0; j < 60; j++) {
-                    middle = (low + high) / 2;
-                    if (before * beyond(&d.machine.mechanism, FOURLINK_OPEN, from + turn * middle,
-                                        levels[i] * DEG) >
-                        0)
-                        low = middle;
-                    else
-                        high = middle;
-                }
-                n_found++;
-                if (!find_end(list, n, low / DEG))
-                    fail_msg("no piece ends at %.12g deg\n%s", low / DEG, contents);
-            }
+            n_found += check_passes(beyond, &d, levels[i] * DEG, from, turn, 719 * DEG, contents);
         flk_deck_free(&d);
     }
     assert_true(n_found > 200);
@@ -234,35 +252,21 @@ TEST(test_speeds_beside_a_change_point)
     }
 }
 
-/* How far a torsional spring is from its free angle. */
-static double wound(const deck *d, fourlink_branch branch, double theta2)
-{
-    const fourlink_mechanism *m = &d->machine.mechanism;
-    const fourlink_spring *spring = flk_machine_find(&d->machine, &flk_spring_type, 0)->data;
-    fourlink_spring_state at;
-    fourlink_state state;
-
-    assert_int_equal(fourlink_position(m, branch, theta2, &state), FOURLINK_OK);
-    assert_int_equal(fourlink_spring_at(m, &state, spring, &at), FOURLINK_OK);
-    return at.length - spring->free_length;
-}
-
 /* A torsional rope or buffer that winds up by a turn in each of the lever's begins or ceases to act in one of three turns
-** of the crank: there a piece ends, by bisection between samples, and the motion does not repeat. */
+** of the crank: there a piece ends, and the motion does not repeat. */
 TEST(test_winding_by_samples)
 {
     static const char *const links[] = {"crank", "lever", "slider"};
     uint64_t seed = 11;
-    int number, n_found = 0, k, j;
+    int number, n_found = 0;
 
     for (number = 0; number < 200; number++) {
         int turn = number % 2 ? 1 : -1;
         double from = uniform(&seed, -900, 900) * DEG;
+        const fourlink_spring *spring;
         char contents[1000];
-        flk_piece list[MOST];
         flk_course course;
         flk_acting acting;
-        size_t n;
         deck d;
 
         sprintf(contents,
@@ -273,26 +277,9 @@ TEST(test_winding_by_samples)
                 uniform(&seed, 10, 40), uniform(&seed, -40, 40), links[number % 3],
                 number % 4 < 2 ? "pulls" : "pushes", uniform(&seed, -400, 400), turn, from / DEG,
                 from / DEG + turn * 1079);
-        n = list_pieces(contents, 1, list);
         read_deck(contents, &d);
-        for (k = 0; k + 1 < SAMPLES; k++) {
-            double low = 1079 * DEG * (k + 0.31) / SAMPLES, high = low + 1079 * DEG / SAMPLES;
-            double before = wound(&d, FOURLINK_OPEN, from + turn * low);
-
-            if (!(before * wound(&d, FOURLINK_OPEN, from + turn * high) < 0))
-                continue;
-            for (j = 0; j < 60; j++) {
-                double middle = (low + high) / 2;
-
-                if (before * wound(&d, FOURLINK_OPEN, from + turn * middle) > 0)
-                    low = middle;
-                else
-                    high = middle;
-            }
-            n_found++;
-            if (!find_end(list, n, low / DEG))
-                fail_msg("no piece ends at %.12g deg\n%s", low / DEG, contents);
-        }
+        spring = flk_machine_find(&d.machine, &flk_spring_type, 0)->data;
+        n_found += check_passes(wound, &d, spring->free_length, from, turn, 1079 * DEG, contents);
         memset(&acting, 0, sizeof acting);
         assert_true(flk_course_open(&course, &d, &acting, NULL));
         assert_false(flk_course_repeats(&course));
