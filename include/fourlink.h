@@ -292,8 +292,8 @@ FOURLINK_API int fourlink_results_open(const fourlink_source *source, unsigned l
 ** it again could take seconds.  All else is as from fourlink_results_open.
 **
 ** Given:
-**    like          results of a deck; null is allowed.  Before `results` is freed it must neither be freed nor have
-**                  numbers set
+**    like          results of a deck; null is allowed.  Before `results` is freed it must neither be freed
+**                  nor have numbers set
 **    others        as for fourlink_results_open
 ** Returned:
 **    as from fourlink_results_open
@@ -602,8 +602,8 @@ FOURLINK_API int fourlink_results_at(fourlink_results *results, fourlink_branch 
 /* The same at any place of what the rows go over (fourlink_abscissa), by angle as fourlink_results_at.
 **
 ** Given:
-**    place      an angle in the deck's unit or, of rows by time, a time in s; of an input its value, rad or m,
-**               on its rising side if the deck asks for both
+**    place      an angle in the deck's unit or, of rows by time, a time in s; of an input its value, rad or
+**               m, on its rising side if the deck asks for both
 **    others     as for fourlink_results_row
 ** Returned, also as function value:
 **    as from fourlink_results_at
@@ -665,8 +665,8 @@ FOURLINK_API int fourlink_results_rows(fourlink_results *results, fourlink_branc
 **    value      in the column's unit; angles that differ by whole turns count as equal
 **    max        size of `angles`
 ** Returned:
-**    angles     of the crank, also where the rows go over another input, in the deck's unit of angle and the order of the
-**               motion; may be null if max is 0
+**    angles     of the crank, also where the rows go over another input, in the deck's unit of angle and
+**               the order of the motion; may be null if max is 0
 **    n          how many there are, which may exceed max
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_CONSTANT, FOURLINK_LONG_SEARCH, FOURLINK_TOO_LONG; FOURLINK_NO_SUCH_NAME,

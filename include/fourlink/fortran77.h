@@ -94,8 +94,8 @@ FOURLINK_API void fltext_(const int *istat, char *text, unsigned long length);
 ** Given:
 **    TEXT       the deck, with CHAR(10) at the end of each line; trailing blanks are ignored
 ** Returned:
-**    HANDLE     for the other calls; free it with FLSHUT; 0 if ISTAT is not 0.  Of a deck with [synthesis] it is
-**               the first linkage that its task finds: FLVAL gives crank.length and its kin
+**    HANDLE     for the other calls; free it with FLSHUT; 0 if ISTAT is not 0.  Of a deck with [synthesis]
+**               it is the first linkage that its task finds: FLVAL gives crank.length and its kin
 **    ISTAT      FOURLINK_OK, FOURLINK_BAD_DECK, FOURLINK_NO_MEMORY; with [synthesis] also why no linkage is
 **               found
 **    MSG        the first mistake of the deck as LINE: MESSAGE, or the text of another status
@@ -103,8 +103,8 @@ FOURLINK_API void fltext_(const int *istat, char *text, unsigned long length);
 ** FLVAL returns any number by its name.
 **
 ** Given:
-**    NAME       a column such as Ts; max(Ts), min(Ts), mean(Ts), rms(Ts); Ts at 30 deg; a fact such as mu_min; an
-**               input such as crank.length
+**    NAME       a column such as Ts; max(Ts), min(Ts), mean(Ts), rms(Ts); Ts at 30 deg; a fact such as
+**               mu_min; an input such as crank.length
 **    IBRNCH     1 open, -1 crossed
 **    ANGLE      of a column: crank angle in the deck's unit; else not used
 ** Returned:

@@ -1101,8 +1101,8 @@ FOURLINK_API const char *fourlink_unknown_text(int kind, int i);
 **    mechanism, state, loads, n_loads  as for fourlink_solve
 **    group      its number, from 0
 ** Returned:
-**    A          6 x 6, row by row: of the rod or block, then of slider or rocker, the forces along x and along y, and the
-**               moments about the link's origin
+**    A          6 x 6, row by row: of the rod or block, then of slider or rocker, the forces along x and
+**               along y, and the moments about the link's origin
 **    b, x       6, right-hand side and solution; forces in N, moments in N m
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_KIND, FOURLINK_BAD_GROUP, FOURLINK_SINGULAR,

@@ -4,12 +4,12 @@
 **
 ** The link has what is drawn as texts, in percent-encoding:
 **
-**    j=    joints, a line each: name, x, y, names of its links with | between them, R (turns) or P (slides), t if
-**          it is fixed or f, direction of its slide in rad, coefficient of friction, t if it is the input
-**          or f
+**    j=    joints, a line each: name, x, y, names of its links with | between them, R (turns) or P
+**          (slides), t if it is fixed or f, direction of its slide in rad, coefficient of friction, t if it
+**          is the input or f
 **    l=    links: name, mass, moment of inertia, centre of mass x and y, names of its joints, ...
-**    f=    forces: name, link, tail x and y, tip x and y of the arrow, t if its direction is fixed, true if it is
-**          directed as the arrow, x and y components
+**    f=    forces: name, link, tail x and y, tip x and y of the arrow, t if its direction is fixed, true if
+**          it is directed as the arrow, x and y components
 **    s=    speed in rpm, true if clockwise, true if there is gravity, unit of length
 **
 ** A later release leaves the friction out, says R or P after the name of a link, has one size of a force,

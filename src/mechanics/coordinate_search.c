@@ -135,7 +135,7 @@ void flk_search_prepare(const flk_coordinate *q, const fourlink_mechanism *mecha
     s->to = last;
 }
 
-/* ------------------------------------------------------------------------------------------------ whole turns
+/* --------------------------------------------------------------------------------------------- whole turns
 **
 ** A stretch that is a whole turn may begin anywhere in it (build_prescribed.c), while its nodes stay where
 ** they are: n turns of theta2 add n times what the coordinate turns in each.

@@ -2,8 +2,8 @@
 **
 ** drive.h - what drives a machine, if not a torque on the crank.
 **
-** A drive is its loads for an effort of 1: from them follow its column of the nine equations, and K, their power at unit
-** crank speed, by which the effort Q replaces the torque Ts that the crank would need:
+** A drive is its loads for an effort of 1: from them follow its column of the nine equations, and K, their
+** power at unit crank speed, by which the effort Q replaces the torque Ts that the crank would need:
 **
 **    Q K = Ts
 */
@@ -42,7 +42,8 @@ typedef struct flk_actuator_state {
 int flk_actuator_at(const flk_actuator *actuator, const fourlink_state *state,
                     flk_actuator_state *at);
 
-/* FLK_DRIVE_ENDS: `actuator`; FLK_DRIVE_OUTPUT: `link`, and `to`, that with its pin; FLK_DRIVE_LOAD: `load`, of size 1. */
+/* FLK_DRIVE_ENDS: `actuator`; FLK_DRIVE_OUTPUT: `link`, and `to`, that with its pin; FLK_DRIVE_LOAD:
+** `load`, of size 1. */
 struct flk_drive {
     int sort, link, to;
     int is_torque;    /* FLK_DRIVE_OUTPUT: on a rocker */

@@ -13,13 +13,14 @@ int flk_groups_check(const fourlink_design *design);
 /* 1 if a link is the block of a group with a slot: without mass, it takes no loads and carries no group. */
 int flk_group_is_block(const fourlink_design *design, int link);
 
-/* The place of the block of group i along its slot, m, and its rate: from P in a slot of the carrying link, from the pin Q
-** of a slider's own slot, from the foot of the pin in a rocker's (group_slot.c). */
+/* The place of the block of group i along its slot, m, and its rate: from P in a slot of the carrying
+** link, from the pin Q of a slider's own slot, from the foot of the pin in a rocker's (group_slot.c). */
 void flk_group_slide(const fourlink_mechanism *mechanism, const fourlink_state *state, int i,
                      double *slide, double *rate);
 
-/* The motion of links 5, 6 ... in a state whose other links have theirs: position, the derivatives by theta2
-** and the velocities, accelerations, angles.  The first returns a status; the last does all but the angles. */
+/* The motion of links 5, 6 ... in a state whose other links have theirs: position, the derivatives by
+** theta2 and the velocities, accelerations, angles.  The first returns a status; the last does all but
+** the angles. */
 int flk_groups_place(const fourlink_mechanism *mechanism, fourlink_state *state);
 void flk_groups_move(const fourlink_mechanism *mechanism, fourlink_state *state);
 void flk_groups_accelerate(const fourlink_mechanism *mechanism, fourlink_state *state);
@@ -39,21 +40,22 @@ double flk_groups_margin(const fourlink_mechanism *mechanism, fourlink_state *st
 size_t flk_groups_ends(const fourlink_mechanism *mechanism, fourlink_branch branch, double period,
                        double *list, size_t most);
 
-/* 1 if the crank turns fully with all groups, they come back after a turn, and none goes beyond all bounds. */
+/* 1 if the crank turns fully with all groups, they come back after a turn, and none goes beyond all
+** bounds. */
 int flk_groups_come_back(const fourlink_mechanism *mechanism, fourlink_branch branch);
 
 /* The first group without a position at a crank angle at which the four links have one; -1: none. */
 int flk_groups_apart(const fourlink_mechanism *mechanism, fourlink_branch branch, double theta2);
 
-/* 1 if one of these angles is where a slider goes beyond all bounds and comes back from the other side: the slot of the
-** carrying link is along its line. */
+/* 1 if one of these angles is where a slider goes beyond all bounds and comes back from the other side:
+** the slot of the carrying link is along its line. */
 int flk_groups_are_beyond(const fourlink_mechanism *mechanism, fourlink_branch branch,
                           double theta2);
 
 #define FLK_GROUPS_ENDS 64 /* at most, in a turn or two */
 
-/* The ranges of crank angles, rad, in which the mechanism can be assembled on a branch with its groups: a list of
-** `most`, and their number.  A range is 0 to 2 pi, or ends at dead positions. */
+/* The ranges of crank angles, rad, in which the mechanism can be assembled on a branch with its groups:
+** a list of `most`, and their number.  A range is 0 to 2 pi, or ends at dead positions. */
 typedef struct flk_range {
     double from, to;
 } flk_range;
@@ -74,8 +76,8 @@ typedef struct flk_group_forces {
     double M; /* N m, of the guide on the slider; 0 */
 } flk_group_forces;
 
-/* With valid loads, and the effort of a drive that is not the crank, of a state that is not singular: in closed form, or
-** by the six equations of each group. */
+/* With valid loads, and the effort of a drive that is not the crank, of a state that is not singular: in
+** closed form, or by the six equations of each group. */
 void flk_groups_forces(const fourlink_mechanism *mechanism, const fourlink_state *state,
                        const fourlink_load *loads, unsigned long n_loads, double effort,
                        int closed_form, flk_group_forces *list);

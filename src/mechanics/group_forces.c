@@ -23,8 +23,8 @@ int flk_groups_are_singular(const fourlink_mechanism *mechanism, const fourlink_
     return state->last != FLK_LAST_LINK(mechanism) || !(state->group_sine > FLK_SINGULAR);
 }
 
-/* The arm of the point of slider or rocker where rod or block acts on it, from its origin: r e6 of a rocker with a pin Q,
-** and of a slider 0; to the block in a slot of its own. */
+/* The arm of the point of slider or rocker where rod or block acts on it, from its origin: r e6 of a
+** rocker with a pin Q, and of a slider 0; to the block in a slot of its own. */
 static fourlink_vector arm_of(const fourlink_group *group, const fourlink_link_state *rod,
                               const fourlink_link_state *end)
 {
@@ -40,8 +40,8 @@ static fourlink_vector arm_of(const fourlink_group *group, const fourlink_link_s
     return arm;
 }
 
-/* In closed form: FQ from the type, then FP = f5 + FQ, FD = f6 - FQ; of a guide, only what is square to it, and the couple
-** M6 - rho x FQ. */
+/* In closed form: FQ from the type, then FP = f5 + FQ, FD = f6 - FQ; of a guide, only what is square to
+** it, and the couple M6 - rho x FQ. */
 static void solve_closed(const fourlink_group *group, const fourlink_link_state *rod,
                          const flk_body body[2], flk_group_forces *f)
 {
@@ -70,20 +70,21 @@ static void solve_closed(const fourlink_group *group, const fourlink_link_state 
 **    FP - FQ = f5,   -l e5 x FQ = M5
 **    FQ + FD = f6,   rho x FQ (+ M) = M6
 **
-** FD of a slider is N nu.  Of a block in a slot with the normal n, M5 = 0 and one of its forces is S n, with a couple C that
-** acts on slider or rocker, or comes from the carrying link; the other one is that of its pin:
+** FD of a slider is N nu.  Of a block in a slot with the normal n, M5 = 0 and one of its forces is S n,
+** with a couple C that acts on slider or rocker, or comes from the carrying link; the other one is that of
+** its pin:
 **
 **    FP - FQ = 0,   C = 0
 **
-** They are solved apart from the nine of the four links, which they do not contain. GSL's banded decomposition, with
-** every diagonal in the band, allocates nothing. */
+** They are solved apart from the nine of the four links, which they do not contain. GSL's banded
+** decomposition, with every diagonal in the band, allocates nothing. */
 #define SIX 6
 #define BAND (SIX - 1)
 #define WIDTH (3 * BAND + 1)
 #define AT(A, row, column) (A)[(column)*WIDTH + 2 * BAND + (row) - (column)]
 
-/* Put one of the forces FP or FQ, whose unknowns are `first` and the next, into the equations of the block and of slider
-** or rocker: its components, or S and C. */
+/* Put one of the forces FP or FQ, whose unknowns are `first` and the next, into the equations of the
+** block and of slider or rocker: its components, or S and C. */
 static void put_force(double *A, int first, const fourlink_vector *n, const fourlink_vector *rho,
                       double L)
 {
@@ -209,8 +210,9 @@ static void take_force(fourlink_vector r, const fourlink_vector *F, flk_body *bo
     body->moment += FLK_CROSS(r, *F);
 }
 
-/* The forces of the groups, unless the list is null, the last one first: each adds to the free bodies of the links that carry
-** it.  What its bodies do in virtual work is added to that of the crank: -FP must not be counted besides. */
+/* The forces of the groups, unless the list is null, the last one first: each adds to the free bodies of
+** the links that carry it.  What its bodies do in virtual work is added to that of the crank: -FP must
+** not be counted besides. */
 static void pass_on(const fourlink_mechanism *mechanism, const fourlink_state *state,
                     int closed_form, flk_body *body, flk_group_forces *list)
 {
@@ -241,8 +243,8 @@ static void pass_on(const fourlink_mechanism *mechanism, const fourlink_state *s
     }
 }
 
-/* The bodies of all links, by number - 2, the first three of them cut free but without their loads; the forces
-** of the groups, unless null. */
+/* The bodies of all links, by number - 2, the first three of them cut free but without their loads; the
+** forces of the groups, unless null. */
 static void cut_all(const fourlink_mechanism *mechanism, const fourlink_state *state,
                     const fourlink_load *loads, unsigned long n_loads, double effort,
                     int closed_form, flk_body *body, flk_group_forces *list)

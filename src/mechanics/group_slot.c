@@ -206,7 +206,7 @@ static void accelerate_rocker_with_slot(const flk_hanging *h, const fourlink_vec
     h->end->acceleration = *pivot;
 }
 
-/* ------------------------------------------------------------------- rocker with its pin in a slot of the link
+/* --------------------------------------------------------------- rocker with its pin in a slot of the link
 **
 ** With r the rocker, e6 its axis from its pin D to Q, v and a of the carrying link at Q, omega and alpha
 ** its own,

@@ -17,8 +17,8 @@ typedef struct flk_hanging {
 /* A type: its motion from that of the carrying link, its forces from those on its bodies.  The rod's origin
 ** is P with its motion before each step; a block's is where it is in the slot.
 **
-** place        axes and origins of both links; returns the square of the sine of its position, negative where it
-**              cannot be assembled; in a dead position they are those in line, unless pins meet
+** place        axes and origins of both links; returns the square of the sine of its position, negative
+**              where it cannot be assembled; in a dead position they are those in line, unless pins meet
 ** move         k of both, from the derivatives of the rod's origin and of `pivot`
 ** accelerate   alpha of both, and the acceleration of a slider's origin
 ** solve        FQ in closed form, from the free bodies and their moments about their origins

@@ -316,7 +316,8 @@ static void inverted_swing(const fourlink_mechanism *mechanism, fourlink_state *
 /* The crank from the slide, or from the lever:
 **
 **    s      theta2 = +-gamma, in the triangle ABD at A, with f^2 = s^2 + h^2; s rises with + gamma where s > 0
-**    theta4 sin(theta2 - theta3) = (h - d sin(theta3)) / a; theta3 rises where cos(theta2 - theta3) has the sign of s
+**    theta4 sin(theta2 - theta3) = (h - d sin(theta3)) / a; theta3 rises where cos(theta2 - theta3) has the
+**           sign of s
 */
 static double inverted_theta2_of(const fourlink_mechanism *mechanism, int coordinate,
                                  fourlink_branch branch, int side, double value)

@@ -57,9 +57,9 @@ enum { FLK_NO_LENGTH, FLK_LENGTH, FLK_LENGTH_OR_NONE };
 **               of the mechanism as a whole; ranges and limits are set to 0 before
 ** turns         the angle of link 3 or 4, continuous in theta2 (turns.c)
 ** balance       the counterweights; `fraction` of a reciprocating mass (balance.c)
-** swing         the motion of a dead position, from omega and alpha of link 3, which is placed and turns about B, where the
-**               crank stands still: alpha of the crank, and of link 4 as `velocity` and `acceleration`,
-**               with k for a unit of omega3; null where there is no dead position
+** swing         the motion of a dead position, from omega and alpha of link 3, which is placed and turns
+**               about B, where the crank stands still: alpha of the crank, and of link 4 as `velocity` and
+**               `acceleration`, with k for a unit of omega3; null where there is no dead position
 ** theta2_of     the crank angle, rad, less whole turns, at which a coordinate (coordinate.h) has a value, with links 3
 **               and 4 on the side of this branch, where it rises (1) or falls (-1); NaN if there is none
 */

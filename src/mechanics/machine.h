@@ -36,8 +36,8 @@ size_t flk_machine_count(const flk_machine *machine, const flk_element_type *typ
 const flk_element *flk_machine_find(const flk_machine *machine, const flk_element_type *type,
                                     size_t i);
 
-/* 1 if there are forces in a dead position of the crank that the machine leaves: the crank cannot drive there, and which way
-** friction acts follows from the crank's motion. */
+/* 1 if there are forces in a dead position of the crank that the machine leaves: the crank cannot drive
+** there, and which way friction acts follows from the crank's motion. */
 int flk_machine_leaves_dead(const flk_machine *machine);
 
 /* The loads at a crank angle; only the sense of the speed matters.  Loads of friction and of elements that

@@ -54,7 +54,8 @@ static void harmonic(const flk_program_segment *g, double u, shape *x)
     x->second = M_PI * M_PI_2 * cosine;
 }
 
-/* s = u - sin(2 pi u) / (2 pi),   s' = 1 - cos(2 pi u) = 2 sin^2(pi u); the second half is the first turned */
+/* s = u - sin(2 pi u) / (2 pi),   s' = 1 - cos(2 pi u) = 2 sin^2(pi u); the second half is the first one
+** turned */
 static void cycloidal(const flk_program_segment *g, double u, shape *x)
 {
     double half = GSL_MIN(u, 1 - u), sine, cosine;

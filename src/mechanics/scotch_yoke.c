@@ -196,7 +196,8 @@ static void yoke_balance(const fourlink_mechanism *mechanism, double fraction, f
 
 /* The crank from the yoke.  With beta the angle of the slot and w = (X - e cot(beta)) sin(beta) / a,
 **
-**    sin(beta - theta2) = w,   theta2 = beta - asin(w), where X falls if sin(beta) > 0, or beta + 180 deg + asin(w)
+**    sin(beta - theta2) = w,   theta2 = beta - asin(w), where X falls if sin(beta) > 0, or
+**                              beta + 180 deg + asin(w)
 **    |w| = 1 - 2 u,            u = x |sin(beta)| / 2a, which keeps the digits near the inner dead centre
 **    asin |w| = 90 deg - 2 asin(sqrt(u))
 */

@@ -305,8 +305,8 @@ static void slider_crank_swing(const fourlink_mechanism *mechanism, fourlink_sta
 
 /* The crank from the piston.  With C = (X, e), f = AC and gamma the angle of the triangle at A,
 **
-**    theta2 = angle of AC -+ gamma, rod opposite:   X rises with - gamma on the open branch, + gamma on the crossed one,
-**                                                   x with + gamma on both
+**    theta2 = angle of AC -+ gamma, rod opposite:   X rises with - gamma on the open branch, + gamma on the
+**                                                   crossed one, x with + gamma on both
 **    r + l - f = x (2 x_dc - x) / (r + l + f),      which keeps the digits near the inner dead centre
 */
 static double slider_crank_theta2_of(const fourlink_mechanism *mechanism, int coordinate,

@@ -279,8 +279,8 @@ static double switching(const flk_element *element, const flk_machine *machine,
     return stretch_of(&machine->mechanism, state, element->data);
 }
 
-/* An angle that winds up passes the free one in one of many turns: the crank angles of this and of all whole turns from it
-** repeat. */
+/* An angle that winds up passes the free one in one of many turns: the crank angles of this and of all
+** whole turns from it repeat. */
 static size_t list_spring_switches(const flk_element *element, const flk_machine *machine,
                                    flk_switch *list)
 {

@@ -193,7 +193,8 @@ static double first_level(along *x, double from, double to, double last, double 
     return flk_find_zero(value_along, x, &b, 0);
 }
 
-/* A place just inside an end, in the sense of 1 or -1 from it: at a change point there is a row farther inside only. */
+/* A place just inside an end, in the sense of 1 or -1 from it: at a change point there is a row farther
+** inside only. */
 static double place_inside(along *x, double end, double to, int sense)
 {
     double close = 2 * FLK_CORNERS_CLOSE(to);

@@ -200,16 +200,17 @@ static double add_load_to_shaking(const fourlink_state *state, const fourlink_lo
     return flk_length(F.x, F.y);
 }
 
-/* Shaking force and moment about A: all that the machine exerts on the frame, at the pins and at the guide by
-** Newton's third law, and through its elements, such as the gas on the cylinder head.  By d'Alembert's principle
-** it is what acts on the moving links from outside, weights W and loads F_P of the deck, less what their momentum takes up,
+/* Shaking force and moment about A: all that the machine exerts on the frame, at the pins and at the guide
+** by Newton's third law, and through its elements, such as the gas on the cylinder head.  By d'Alembert's
+** principle it is what acts on the moving links from outside, weights W and loads F_P of the deck, less
+** what their momentum takes up,
 **
 **    Fs = sum (W - m a_G) + sum F_P
 **    Ms = sum (AG x (W - m a_G) - I alpha) + sum (AP x F_P + T)
 **
-** Forces of pins, springs, gas, friction and drives are between links, or a link and the frame, and cancel: beside a
-** dead position they grow beyond all bounds, and the sum of F21, F41 and the others would have their rounding error.  An Fs
-** that is only the rounding error of its parts becomes 0. */
+** Forces of pins, springs, gas, friction and drives are between links, or a link and the frame, and
+** cancel: beside a dead position they grow beyond all bounds, and the sum of F21, F41 and the others
+** would have their rounding error.  An Fs that is only the rounding error of its parts becomes 0. */
 static void find_shaking(const flk_machine *machine, const fourlink_state *state,
                          const fourlink_forces *f, const flk_acting *acting,
                          const fourlink_body *body, flk_derived *e)
@@ -430,8 +431,8 @@ static void find_group_forces(flk_analysis *a, int closed_form, flk_row *row)
                       mechanism->drive ? row->at.forces.drive : 0, closed_form, row->group);
 }
 
-/* In a dead position of the crank, what is prescribed gives the motion.  What is derived from an engine's motion follows from
-** the crank's. */
+/* In a dead position of the crank, what is prescribed gives the motion.  What is derived from an
+** engine's motion follows from the crank's. */
 static int leave_dead_position(const flk_analysis *a, int needs, int forces,
                                const fourlink_crank *crank, double place, int angles,
                                fourlink_instant *at)
@@ -442,9 +443,9 @@ static int leave_dead_position(const flk_analysis *a, int needs, int forces,
     return flk_course_swing(&a->course, at->branch, place, crank->theta2, angles, &at->state);
 }
 
-/* Compute the motion, and with `forces` the loads and forces; returns a status.  At a place of the course, which may be
-** null, what is prescribed has its own values in them all: where it moves at constant speed, an acceleration of
-** rounding error would have an inertia force with a direction. */
+/* Compute the motion, and with `forces` the loads and forces; returns a status.  At a place of the
+** course, which may be null, what is prescribed has its own values in them all: where it moves at
+** constant speed, an acceleration of rounding error would have an inertia force with a direction. */
 static int compute(flk_analysis *a, int needs, int forces, const fourlink_crank *crank,
                    const double *place, int is_placed, flk_row *row)
 {

@@ -43,8 +43,8 @@ typedef struct flk_column {
 **           are null
 ** value     in SI units, of a row that could be computed, or of the crank
 ** vector    of a column whose form is that of a vector's size or direction: the vector, in SI units
-** size      in SI units, what the rounding error of its value in a row is a small part of; null: that follows from the
-**           machine (samples.c)
+** size      in SI units, what the rounding error of its value in a row is a small part of; null: that
+**           follows from the machine (samples.c)
 ** is_apart  1: decks have them by name only; `all` and the lists leave them out
 */
 struct flk_column_source {

@@ -58,8 +58,9 @@ static double value_of_spring(const flk_column *c, const flk_row *row)
                                : at.power;
 }
 
-/* How far an end of a spring is from A, and how fast it is, added to d and u.  Links 3 and 4 are placed and moved by
-** the crank: where they stand still, that is the difference of speeds such as the crank pin's. */
+/* How far an end of a spring is from A, and how fast it is, added to d and u.  Links 3 and 4 are placed
+** and moved by the crank: where they stand still, that is the difference of speeds such as the crank
+** pin's. */
 static void add_end(const fourlink_mechanism *mechanism, const fourlink_state *state, int link,
                     const fourlink_vector *at, double *d, double *u)
 {
@@ -86,8 +87,9 @@ static void add_turning(const fourlink_state *state, int link, double *d, double
         *u += fabs(state->link[FOURLINK_CRANK].omega);
 }
 
-/* The rounding error of a spring follows from that of d and u: those of the force are k d and c u, of the
-** energy F d with the force F of the spring without its damper, and of the power that of the force times u. */
+/* The rounding error of a spring follows from that of d and u: those of the force are k d and c u, of
+** the energy F d with the force F of the spring without its damper, and of the power that of the force
+** times u. */
 static double size_of_spring(const flk_column *c, const flk_row *row)
 {
     const fourlink_mechanism *mechanism = &c->d->machine.mechanism;

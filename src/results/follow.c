@@ -290,8 +290,8 @@ int flk_followed_turns_over(const flk_followed *t, double from, double to)
 #define LOST_DEAD 1e-4   /* ... from a dead position, for a column without an exact limit; */
 #define LOST 1e-2        /* ... from a change point, for such a column */
 
-/* So much of the piece has rows for a limit.  Where all of its rows are rounding error, since a load has a corner beside a
-** change point, those beyond the corner know the limits of columns without loads. */
+/* So much of the piece has rows for a limit.  Where all of its rows are rounding error, since a load has
+** a corner beside a change point, those beyond the corner know the limits of columns without loads. */
 static double half_of(const flk_follower *f, int at_end)
 {
     const flk_piece *p = &f->piece;

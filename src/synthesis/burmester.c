@@ -7,8 +7,9 @@
 **
 **    d_i = z_i + w e^(i phi_i) - m,   |d_i|^2 = |d_0|^2,   i = 1 ... 4
 **
-** These four equations have at most four real solutions.  (L. Burmester, Lehrbuch der Kinematik, Leipzig 1888; J. M.
-** McCarthy, Geometric Design of Linkages, Springer 2000.)  They are found by Newton's method from many starts:
+** These four equations have at most four real solutions.  (L. Burmester, Lehrbuch der Kinematik, Leipzig
+** 1888; J. M. McCarthy, Geometric Design of Linkages, Springer 2000.)  They are found by Newton's method from
+** many starts:
 **
 **    d|d_i|^2 = 2 (d_i . (e^(i phi_i) dw) - d_i . dm)
 */

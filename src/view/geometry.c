@@ -99,8 +99,8 @@ fourlink_vector geometry_joint(const view *v, const fourlink_state *state, int j
     return j->is_tip ? geometry_end(v, state, j->at) : state->link[j->at].origin;
 }
 
-/* Rod and crank are in one line,  x^2 + e^2 = (l - r)^2;  of a crank that does not turn fully the rod is across
-** the stroke,  x^2 + (l - |e|)^2 = r^2.  At a change point the piston goes on to the other side. */
+/* Rod and crank are in one line,  x^2 + e^2 = (l - r)^2;  of a crank that does not turn fully the rod is
+** across the stroke,  x^2 + (l - |e|)^2 = r^2.  At a change point the piston goes on to the other side. */
 static double outer_end(const fourlink_mechanism *m)
 {
     double r = m->design.link[FOURLINK_CRANK].length, l = m->design.link[FOURLINK_COUPLER].length;
